@@ -173,15 +173,18 @@ set(bridge_files
   Input/SettingCheck
   Input/VectorMagnitude
   Input/VolumePlace
+  Shapes/BernsteinFunctions
+  Shapes/BoundaryParts
   Shapes/CellDivision
+  Shapes/CurvedCellReader
   Shapes/CurvedCells
   Shapes/CurvedDivision
   Shapes/CurvedError
-  Shapes/CurvedWeights
-  Shapes/DivisionChecks
+  Shapes/CurvedPlan
   Shapes/GivenCells
   Shapes/PolyhedronCells
   Shapes/SharedPoints
+  Shapes/StraightCell
   Shapes/SubdividedCells
   Adaptive/AmrBlocks
   Adaptive/AmrLeaves

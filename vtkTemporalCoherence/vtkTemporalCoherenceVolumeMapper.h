@@ -337,7 +337,8 @@ public:
    * and the memory of what is kept, in bytes; and whether scalars of cells were averaged to points.
    * Curved cells (quadratic, Lagrange, Bezier) are divided into linear ones: MeshPointError bounds
    * how far these are from the curved ones, in parts of the cell's diagonal, and MeshValueError how
-   * much values differ, in parts of their range in the cell. Both are 0 without curved cells: the
+   * much values differ, in parts of their range in the cell; NaN where samples between corners are
+   * not finite. Both are 0 without curved cells: the
    * surface in polyhedra, prisms and convex sets of points is defined as that of their parts.
    */
   int GetMeshSetUp();

@@ -102,6 +102,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
     {
       this->SetUp = request.SetUp;
       this->WarnOfIsomapLimit(this->Frames.IsIsomapTooLarge());
+      this->WarnOfDivision();
       if (this->Self->WarnOfIsovalues)
       {
         this->Warn(this->CheckPicture({ this->Self, volume, renderer }, request));
@@ -259,6 +260,26 @@ void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfIsomapLimit(bool isTooLa
       << this->Self->IsomapMemoryLimit
       << " MiB). Its least recently used bands are dropped, and built again when they are needed. "
          "Raise the limit, or set a narrower IsomapRange or a larger IsomapTolerance.");
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfDivision()
+{
+  constexpr double largestError = 0.01;
+  const TemporalCoherence::DivisionError& error = this->SetUp.Error;
+  const bool isLarge = error.OfPoints > largestError || error.OfValues > largestError;
+  if (isLarge && !this->HasWarnedOfDivision)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      "Curved cells of the input are drawn with an error of up to "
+        << 100.0 * error.OfPoints << " % of their size (GetMeshPointError) and "
+        << 100.0 * error.OfValues << " % of the range of their values (GetMeshValueError), as "
+        << (error.IsByMemory ? "MeshMemoryLimit (" + std::to_string(this->Self->MeshMemoryLimit) +
+                 " MiB) allows no more cells. Raise the limit, or draw"
+                             : std::string("there would be too many linear cells. Draw"))
+        << " fewer cells, for example with vtkExtractCells.");
+  }
+  this->HasWarnedOfDivision = isLarge;
 }
 
 //------------------------------------------------------------------------------

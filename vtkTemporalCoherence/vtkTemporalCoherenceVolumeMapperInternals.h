@@ -33,6 +33,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;               ///< reported already; empty after a frame without error
   bool HasWarned = false;              ///< of the memory limit
+  bool HasWarnedOfDivision = false;    ///< since it was fine
   TemporalCoherence::FieldSetUp SetUp; ///< of the last frame
   bool IsMaking = false;               ///< a frame or an isomap, while observers may call anything
 
@@ -132,6 +133,9 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
 
   /// Report an error, if there is one, other than the last.
   void ReportOnce(const std::string& error);
+
+  /// Warn once if curved cells are divided into too few cells.
+  void WarnOfDivision();
 
   /// Say a warning, if there is one.
   void Warn(const std::string& warning);

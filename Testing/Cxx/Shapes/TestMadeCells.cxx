@@ -69,10 +69,59 @@ void ExpectLimit(const std::string& what, vtkDataObject* data, double isovalue, 
   Expect(drawn == 2, what + ": a limit that does");
 }
 
+/// Curved cells are divided less if memory is limited, and one warning tells of a large error.
+void TestCoarserCurved()
+{
+  const auto grid = BentGrid(5);
+  double last = 0.0;
+  for (const int limit : { 0, 16, 4, 1 })
+  {
+    const std::string name = "curved cells, " + std::to_string(limit) + " MiB: ";
+    Scene scene(grid, { 0.3 });
+    scene.Mapper->SetMeshMemoryLimit(limit);
+    scene.LookFrom(1.0, 2.0, 0.7);
+    EventCounter warnings(scene.Mapper, vtkCommand::WarningEvent);
+    Expect(scene.Render(30, 30) && scene.Render(31, 30), name + "drawn");
+    const double error =
+      std::max(scene.Mapper->GetMeshValueError(), scene.Mapper->GetMeshPointError());
+    const double kept = scene.Mapper->GetMeshMemory();
+    Expect(error > last && (limit == 0 ? error < 0.01 : kept <= limit * 1048576.0),
+      name + "keeps " + std::to_string(kept) + ", error " + std::to_string(error));
+    Expect(warnings.Count == (error > 0.01 ? 1 : 0),
+      name + std::to_string(warnings.Count) + " warnings");
+    last = error;
+  }
+  Expect(last > 0.01, "curved cells: the smallest limit makes a large error");
+}
+
+/// One cell that holds r^2 exactly shows a sphere within the goal.
+void TestSphere()
+{
+  const auto grid =
+    TileCubes(VTK_TRIQUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_TRIQUADRATIC_HEXAHEDRON), 1);
+  const auto squared = [](const glm::dvec3& at) { return 16.0 * glm::dot(at - 0.5, at - 0.5); };
+  GiveValues(squared, grid);
+  Scene scene(grid, { 0.09 });
+  scene.LookFrom(1.0, 2.0, 0.7);
+  Expect(scene.Render(90, 90), "sphere: drawn");
+  int hits = 0;
+  double worst = 0.0;
+  for (int pixel = 0; pixel < 90 * 90; ++pixel)
+  {
+    glm::dvec3 place;
+    if (scene.Mapper->PickPixel(pixel % 90, pixel / 90, &place.x, nullptr, nullptr))
+    {
+      ++hits;
+      worst = std::max(worst, std::abs(squared(place) - 0.09));
+    }
+  }
+  Expect(hits > 10 && worst <= 1e-3 * 12.0,
+    "sphere: " + std::to_string(hits) + " hits, off by " + std::to_string(worst));
+  Expect(scene.Mapper->GetMeshValueError() <= 1e-3, "sphere: the goal is met");
+}
+
 void TestMemoryLimit()
 {
-  const auto grid = BentGrid(6);
-  ExpectLimit("curved cells", grid, 0.3, grid->GetNumberOfCells());
   AmrTestLevels levels;
   levels.Spacing = glm::dvec3(0.5);
   levels.Ratios = { 2 };
@@ -153,6 +202,8 @@ void TestProgress()
 int TestMadeCells(int, char*[])
 {
   TestMemoryLimit();
+  TestCoarserCurved();
+  TestSphere();
   TestNewValuesOfCurved();
   TestProgress();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

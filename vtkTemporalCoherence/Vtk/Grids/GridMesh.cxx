@@ -16,12 +16,57 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <utility>
 
 namespace TemporalCoherence
 {
 namespace
 {
+
+DivisionError ErrorOf(const Subdivision& division)
+{
+  return { division.ErrorOfPoints, division.ErrorOfValues,
+    division.Limit == DivisionLimit::Memory };
+}
+
+/// Shares out what memory there is for cells that are divided.
+class DivisionShares
+{
+public:
+  DivisionShares(const std::vector<GridLeaf>& leaves, const MakingBudget& budget)
+    : IsLimited(budget.Memory < std::numeric_limits<std::size_t>::max())
+  {
+    for (std::size_t i = 0; i < leaves.size() && this->IsLimited; ++i)
+    {
+      this->ForTrees +=
+        budget.PerCell * static_cast<std::size_t>(leaves[i].Data->GetNumberOfCells());
+      this->Curved.push_back(CountCurvedCells(vtkUnstructuredGrid::SafeDownCast(leaves[i].Data)));
+      this->Rest += this->Curved.back();
+    }
+  }
+
+  /// The share of the next leaf.
+  /// \param memory that is left
+  std::size_t Next(std::size_t memory)
+  {
+    if (!this->IsLimited)
+    {
+      return memory;
+    }
+    const auto own = static_cast<double>(this->Curved[this->At++]);
+    const double share = own / static_cast<double>(std::max<std::int64_t>(this->Rest, 1));
+    this->Rest -= static_cast<std::int64_t>(own);
+    return static_cast<std::size_t>(
+      share * static_cast<double>(memory - std::min(memory, this->ForTrees)));
+  }
+
+private:
+  bool IsLimited;
+  std::size_t At = 0, ForTrees = 0;
+  std::int64_t Rest = 0;
+  std::vector<std::int64_t> Curved;
+};
 
 /// A number that no other state of a mesh in this process has.
 std::uint64_t NewStamp()
@@ -58,6 +103,7 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
     this->AreCellsNew = this->ArePointsNew = true;
   }
   std::size_t all = this->MemoryInBytes();
+  DivisionShares shares(leaves, budget);
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     const auto share = [&](std::size_t leaf)
@@ -66,6 +112,7 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
     rest.Report = PartOf(budget.Report, share(i), share(i + 1));
     const std::size_t others = all - MemoryOf(this->Parts[i]);
     rest.Memory -= std::min(rest.Memory, others);
+    rest.ForDivision = shares.Next(rest.Memory);
     if (!this->SeeLeaf(leaves[i], component, this->Parts[i], rest, error))
     {
       if (error.empty())
@@ -124,10 +171,10 @@ bool GridMesh::SeeOthers(
   // Rational weights move points, and Modified() of the grid tells of nothing in particular.
   const bool arePointsKept = !this->ArePointsNew && !grid->GetPointData()->GetRationalWeights();
   if (arePointsKept && !made.Others.empty() &&
-    SetSubdividedValues(grid, made.Made.Values.Array, made.Made.Values.Component, budget.Report,
-      made.Kept, made.Others.front(), isStopped))
+    SetSubdividedValues(grid, made.Made.Values.Array, made.Made.Values.Component, budget, made.Kept,
+      made.Others.front(), isStopped))
   {
-    made.Error = { made.Kept.Told.ErrorOfPoints, made.Kept.Told.ErrorOfValues };
+    made.Error = ErrorOf(made.Kept.Told);
     return true;
   }
   if (isStopped)
@@ -145,7 +192,7 @@ bool GridMesh::SeeOthers(
   {
     return false;
   }
-  made.Error = { division.ErrorOfPoints, division.ErrorOfValues };
+  made.Error = ErrorOf(division);
   // Into how many cells each one is divided depends on points and values. Weights and faces may
   // have changed, too: Modified() of the grid tells no more than that something did.
   const bool areSame = !this->ArePointsNew &&
@@ -227,8 +274,7 @@ DivisionError GridMesh::ErrorOfDivision() const
   DivisionError largest;
   for (const LeafPart& part : this->Parts)
   {
-    largest.OfPoints = std::max(largest.OfPoints, part.Error.OfPoints);
-    largest.OfValues = std::max(largest.OfValues, part.Error.OfValues);
+    largest.Add(part.Error);
   }
   return largest;
 }

@@ -57,7 +57,18 @@ enum class SetUpWork
 struct DivisionError
 {
   double OfPoints = 0.0; ///< in parts of the diagonal of the curved cell
-  double OfValues = 0.0; ///< in parts of the range of values in it, or of 1 % of that in the grid
+  double OfValues = 0.0; ///< in parts of the range of values in it, or of 1 % of that in the grid;
+                         ///< NaN where it is not known
+  bool IsByMemory = false; ///< cells were divided less than they could be, as memory is limited
+
+  /// Take the larger of each.
+  void Add(const DivisionError& other)
+  {
+    const auto largest = [](double a, double b) { return a >= b || a != a ? a : b; };
+    this->OfPoints = largest(this->OfPoints, other.OfPoints);
+    this->OfValues = largest(this->OfValues, other.OfValues);
+    this->IsByMemory = this->IsByMemory || other.IsByMemory;
+  }
 };
 
 /// How a field was set up.

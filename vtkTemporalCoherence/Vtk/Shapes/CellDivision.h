@@ -4,36 +4,40 @@
 #define TemporalCoherence_CellDivision_h
 
 #include "Mesh/Mesh.h"
+#include "Shapes/StraightCell.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace TemporalCoherence
 {
 
-/// What a cell with curved edges looks like if they are straight.
-enum class CurvedShape : std::uint8_t
+/// Into how many parts edges are divided. Each number on a face is a multiple of that inside, and
+/// each number on an edge a multiple of those of its faces.
+struct CellParts
 {
-  Tetrahedron,
-  Hexahedron,
-  Wedge,
-  Pyramid
+  int Inside;
+  std::array<int, 6> Faces;
+  std::array<int, 12> Edges;
+
+  /// The same number everywhere.
+  explicit CellParts(int parts)
+    : Inside(parts)
+  {
+    this->Faces.fill(parts);
+    this->Edges.fill(parts);
+  }
+
+  bool AreEqual(const ShapeFrame& frame) const;
+  int Largest(const ShapeFrame& frame) const;
 };
 
-/// A point of a divided cell.
-///
-/// A point on a face is named by corners of that face and whole numbers as weights, without common
-/// divisor. Cells that share the face give it the same name, however they number their corners.
-struct DivisionPoint
-{
-  glm::dvec3 At;              ///< in the straight cell with edges of length 1
-  int NumberOfCorners = 0;    ///< 0: inside of the cell, so in no other one
-  std::array<int, 4> Corners; ///< in VTK's order
-  std::array<std::int64_t, 4> Weights;
-};
+/// The most parts of an edge: the numbers of a place have to fit.
+constexpr int MostParts = 512;
 
 /// A linear cell between points of a divided cell.
 struct DivisionCell
@@ -43,22 +47,78 @@ struct DivisionCell
   std::array<int, 8> Points; ///< in VTK's order
 };
 
-/// A cell whose edges are divided into equal parts in its parameters: its triangles become n^2
-/// triangles, its quadrilaterals n x n quadrilaterals, whatever the shape of the cell is.
+/// Gets the cells that a curved cell is divided into.
+class DivisionSink
+{
+public:
+  virtual ~DivisionSink() = default;
+  virtual void Add(const DivisionCell& cell) = 0;
+};
+
+/// Divides cells in their parameters.
 ///
-/// Tetrahedra become n^3 tetrahedra, hexahedra n^3 hexahedra, wedges n^3 wedges. Pyramids become
-/// pyramids, upright and upside down, and tetrahedra between them.
+/// Inside, tetrahedra become n^3 tetrahedra, hexahedra n^3 hexahedra, wedges n^3 wedges. Pyramids
+/// become pyramids, upright and upside down, and tetrahedra between them. On faces, triangles
+/// become n^2 triangles and quadrilaterals n x n quadrilaterals.
+///
+/// Where a face or edge of one of these parts is divided further, the part becomes a cone from its
+/// middle over its faces. A face whose edges only are divided further becomes triangles around its
+/// middle. So what is on a face depends on the numbers of parts on that face and its edges alone.
+class CellDivider
+{
+public:
+  /// \param sink gets the cells, with numbers of points in the order of Places()
+  /// \throws std::bad_alloc
+  void Divide(CurvedShape shape, const CellParts& parts, DivisionSink& sink);
+
+  /// All parts as cones from their middles, though nothing is divided further.
+  /// \throws std::bad_alloc
+  void DivideIntoCones(CurvedShape shape, int parts, DivisionSink& sink);
+
+  /// The points of the last cell.
+  const std::vector<DivisionPlace>& Places() const { return this->PlacesOfCell; }
+
+  /// Number a place: for the division in progress.
+  int NumberOf(const glm::ivec3& place);
+
+private:
+  void Divide(CurvedShape shape, const CellParts& parts, bool onlyCones, DivisionSink& sink);
+
+  struct Entry
+  {
+    std::uint64_t Key = 0;
+    int Number = -1;
+  };
+
+  int* FindNumber(const glm::ivec3& place);
+  void Grow();
+
+  std::vector<DivisionPlace> PlacesOfCell;
+  std::vector<int> Lattice;   ///< numbers of the points of equal parts
+  std::vector<Entry> Entries; ///< of points anywhere; as many as a power of two
+  int Unit = 0, Row = 0, Of = 0;
+};
+
+/// A divided cell.
 struct CellDivision
 {
-  std::vector<DivisionPoint> Points;
+  std::vector<DivisionPlace> Points;
   std::vector<DivisionCell> Cells;
 };
 
 /// \throws std::bad_alloc
-CellDivision Divide(CurvedShape shape, int parts);
+CellDivision Divide(CurvedShape shape, const CellParts& parts);
 
-/// The number of its cells.
-std::int64_t CountDivisionCells(CurvedShape shape, int parts);
+/// \throws std::bad_alloc
+CellDivision DivideIntoCones(CurvedShape shape, int parts);
+
+/// The cells of a division, and the numbers of points that they name.
+struct DivisionSize
+{
+  std::int64_t Cells = 0, Ids = 0;
+};
+
+DivisionSize SizeOf(CurvedShape shape, const CellParts& parts);
 
 }
 

@@ -134,13 +134,12 @@ std::array<int, 3> CurvedCellFinder::DegreesOf(vtkIdType cell) const
   return found;
 }
 
-bool CurvedCellFinder::FindKind(
-  vtkIdType cell, int points, CurvedKind& kind, std::string& error) const
+bool CurvedCellFinder::FindKind(vtkIdType cell, int points, const std::array<int, 3>& degrees,
+  CurvedKind& kind, std::string& error) const
 {
   const int number = this->Grid->GetCellType(cell);
   const CurvedType& type = *Find(number);
-  const int order =
-    type.NumberOfPoints > 0 ? type.Order : FindOrder(type.Shape, points, this->DegreesOf(cell));
+  const int order = type.NumberOfPoints > 0 ? type.Order : FindOrder(type.Shape, points, degrees);
   if (order == 0 || (type.NumberOfPoints > 0 && type.NumberOfPoints != points))
   {
     error = this->Given.NameOf(cell) + " is a " + type.Name + " with " + std::to_string(points) +
@@ -151,8 +150,21 @@ bool CurvedCellFinder::FindKind(
       "; correct the cell or leave it out with vtkExtractCells.";
     return false;
   }
-  kind = { number, type.Shape, points, order,
-    IsBezier(number) && this->Grid->GetPointData()->GetRationalWeights() != nullptr, cell };
+  vtkDataArray* const weights =
+    IsBezier(number) ? this->Grid->GetPointData()->GetRationalWeights() : nullptr;
+  const vtkIdType tuples = this->Grid->GetNumberOfPoints();
+  if (weights && (weights->GetNumberOfComponents() != 1 || weights->GetNumberOfTuples() < tuples))
+  {
+    error = this->Given.Name + " has rational weights of " +
+      std::to_string(weights->GetNumberOfTuples()) + " tuples of " +
+      std::to_string(weights->GetNumberOfComponents()) + " component(s), but " +
+      std::to_string(tuples) + " points; give SetRationalWeights one value for each.";
+    return false;
+  }
+  std::array<int, 3> powers = degrees[0] > 0 ? degrees : std::array<int, 3>{ order, order, order };
+  const bool isBernstein = IsBezier(number) && CountPoints(type.Shape, powers) == points;
+  powers = isBernstein ? powers : std::array<int, 3>{ 0, 0, 0 };
+  kind = { number, type.Shape, points, order, weights != nullptr, degrees, powers };
   return true;
 }
 
@@ -170,7 +182,7 @@ bool CurvedCellFinder::Add(vtkIdType cell, std::string& error)
   if (known == this->Known.end())
   {
     CurvedKind kind;
-    if (!this->FindKind(cell, points, kind, error))
+    if (!this->FindKind(cell, points, degrees, kind, error))
     {
       return false;
     }

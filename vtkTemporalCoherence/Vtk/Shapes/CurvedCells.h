@@ -30,8 +30,9 @@ struct CurvedKind
   CurvedShape Shape;
   int NumberOfPoints;
   int Order;
-  bool IsRational;   ///< each cell has weights of its own
-  vtkIdType Example; ///< a cell of this kind
+  bool IsRational;            ///< each cell has weights of its own
+  std::array<int, 3> Degrees; ///< along its axes; 0: the number of points tells them
+  std::array<int, 3> Powers;  ///< of Bernstein polynomials along its axes; 0: it has others
 };
 
 /// The cells of a grid that have an order of 2 or more.
@@ -58,7 +59,8 @@ public:
   CurvedCells Found;
 
 private:
-  bool FindKind(vtkIdType cell, int points, CurvedKind& kind, std::string& error) const;
+  bool FindKind(vtkIdType cell, int points, const std::array<int, 3>& degrees, CurvedKind& kind,
+    std::string& error) const;
   std::array<int, 3> DegreesOf(vtkIdType cell) const;
 
   GivenCells Given;

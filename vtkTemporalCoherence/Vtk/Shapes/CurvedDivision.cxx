@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes/CurvedDivision.h"
 
-#include "Shapes/CurvedWeights.h"
-
-#include <vtkCellArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkUnstructuredGrid.h>
 
-#include <cstddef>
+#include <cstdint>
+#include <numeric>
 
 namespace TemporalCoherence
 {
@@ -18,139 +15,172 @@ namespace
 
 constexpr std::size_t CellsBetweenReports = 256;
 
+/// Appends the cells of a curved one, with the numbers of points that they have in it.
+struct AppendingSink : public DivisionSink
+{
+  MadeCells& Made;
+  vtkIdType Original = 0;
+
+  explicit AppendingSink(MadeCells& made)
+    : Made(made)
+  {
+  }
+
+  void Add(const DivisionCell& cell) override
+  {
+    this->Ids.assign(cell.Points.begin(), cell.Points.begin() + cell.NumberOfPoints);
+    this->Made.AddCell(cell.Type, this->Ids, this->Original);
+  }
+
+private:
+  std::vector<std::int32_t> Ids;
+};
+
 /// Numbers the points of divided cells, one cell after the other.
 class PointNumbers
 {
 public:
-  /// \param places gets those of new points in the division of the cell that made them
-  PointNumbers(SharedPoints& shared, MadeCells& made, std::vector<std::uint16_t>& places)
+  PointNumbers(SharedPoints& shared, MadeCells& made, CurvedPoints& points)
     : Shared(shared)
-    , Made(made)
-    , Places(places)
+    , Points(points)
+    , Sink(made)
     , Next(static_cast<std::int32_t>(made.Points.size()))
   {
   }
 
-  /// Number the points of a cell. New ones get numbers in a row, the first of which is Next.
-  void Number(vtkIdList* ids, const CellDivision& division)
+  void Divide(CurvedShape shape, const CellParts& parts, vtkIdList* ids, vtkIdType original)
   {
-    this->Numbers.resize(division.Points.size());
-    this->Keys.resize(division.Points.size());
-    for (std::size_t p = 0; p < division.Points.size(); ++p) // first, as memory takes its time
+    std::vector<std::int32_t>& connectivity = this->Sink.Made.Connectivity;
+    const std::size_t begin = connectivity.size();
+    this->Sink.Original = original;
+    this->Divider.Divide(shape, parts, this->Sink);
+    this->Number(shape, ids);
+    for (std::size_t i = begin; i < connectivity.size(); ++i)
     {
-      const DivisionPoint& point = division.Points[p];
-      this->Name.clear();
-      for (std::size_t c = 0; c < static_cast<std::size_t>(point.NumberOfCorners); ++c)
-      {
-        this->Name.emplace_back(ids->GetId(point.Corners[c]), point.Weights[c]);
-      }
-      if (!this->Name.empty())
+      connectivity[i] = this->Numbers[static_cast<std::size_t>(connectivity[i])];
+    }
+    this->Points.Begins.push_back(this->Points.Places.size());
+  }
+
+private:
+  /// Number the points of a cell. New ones get numbers in a row, the first of which is Next.
+  void Number(CurvedShape shape, vtkIdList* ids)
+  {
+    const std::vector<DivisionPlace>& places = this->Divider.Places();
+    this->Keys.resize(places.size());
+    this->AreInside.resize(places.size());
+    this->Numbers.resize(places.size());
+    for (std::size_t p = 0; p < places.size(); ++p) // first, as memory takes its time
+    {
+      this->AreInside[p] = !this->SetName(shape, places[p], ids);
+      if (!this->AreInside[p])
       {
         this->Keys[p] = SharedPoints::KeyOf(this->Name);
         this->Shared.Prefetch(this->Keys[p]);
       }
     }
-    for (std::size_t p = 0; p < division.Points.size(); ++p)
+    for (std::size_t p = 0; p < places.size(); ++p)
     {
-      const bool isInside = division.Points[p].NumberOfCorners == 0;
-      this->Numbers[p] = isInside ? this->Next : this->Shared.Find(this->Keys[p], this->Next);
+      this->Numbers[p] =
+        this->AreInside[p] ? this->Next : this->Shared.Find(this->Keys[p], this->Next);
       if (this->Numbers[p] == this->Next)
       {
-        this->Places.push_back(static_cast<std::uint16_t>(p));
+        this->Points.Places.push_back(places[p]);
         ++this->Next;
       }
     }
   }
 
-  void AddCells(const CellDivision& division, vtkIdType original)
+  /// Points on a face are named by the corners of that face and whole numbers as weights, without
+  /// common divisor. Cells that share the face give them the same name, however they number their
+  /// corners.
+  /// \return false for points inside of a cell, so in no other one
+  bool SetName(CurvedShape shape, const DivisionPlace& place, vtkIdList* ids)
   {
-    for (const DivisionCell& cell : division.Cells)
+    const CornerWeights weights = WeightsOf(shape, place);
+    std::int64_t divisor = 0;
+    this->Name.clear();
+    for (int corner = 0; corner < weights.Count; ++corner)
     {
-      this->Ids.clear();
-      for (std::size_t p = 0; p < static_cast<std::size_t>(cell.NumberOfPoints); ++p)
+      const std::int64_t weight = weights.Of[static_cast<std::size_t>(corner)];
+      if (weight != 0)
       {
-        this->Ids.push_back(this->Numbers[static_cast<std::size_t>(cell.Points[p])]);
+        divisor = std::gcd(divisor, weight);
+        this->Name.emplace_back(ids->GetId(corner), weight);
       }
-      this->Made.AddCell(cell.Type, this->Ids, original);
     }
+    if (this->Name.size() == static_cast<std::size_t>(weights.Count))
+    {
+      return false;
+    }
+    for (auto& [point, weight] : this->Name)
+    {
+      weight /= divisor;
+    }
+    return true;
   }
 
-private:
   SharedPoints& Shared;
-  MadeCells& Made;
-  std::vector<std::uint16_t>& Places;
+  CurvedPoints& Points;
+  AppendingSink Sink;
+  CellDivider Divider;
   std::int32_t Next;
   SharedPoints::Name Name;
-  std::vector<SharedPoints::Key> Keys; ///< of the points of a cell
-  std::vector<std::int32_t> Numbers, Ids;
+  // Of the points of a cell:
+  std::vector<SharedPoints::Key> Keys;
+  std::vector<bool> AreInside;
+  std::vector<std::int32_t> Numbers;
 };
 
 }
 
-std::int64_t CountDivisionIds(const CurvedCells& curved, int parts)
+bool DivideCurvedCells(const CurvedSource& source, const CurvedPlan& plan, MakingBudget& budget,
+  SharedPoints& shared, MadeCells& made, CurvedPoints& points)
 {
-  std::vector<std::int64_t> ids;
-  for (const CurvedKind& kind : curved.Kinds)
-  {
-    ids.push_back(0);
-    for (const DivisionCell& cell : Divide(kind.Shape, parts).Cells)
-    {
-      ids.back() += cell.NumberOfPoints;
-    }
-  }
-  std::int64_t count = 0;
-  for (const std::uint32_t kind : curved.KindOf)
-  {
-    count += ids[kind];
-  }
-  return count;
-}
-
-bool DivideCurvedCells(vtkUnstructuredGrid* grid, const CurvedCells& curved, int parts,
-  MakingBudget& budget, SharedPoints& shared, MadeCells& made, CurvedPoints& points)
-{
-  std::vector<CellDivision> divisions;
-  for (const CurvedKind& kind : curved.Kinds)
-  {
-    divisions.push_back(Divide(kind.Shape, parts));
-  }
-  PointNumbers numbers(shared, made, points.Places);
+  PointNumbers numbers(shared, made, points);
   vtkNew<vtkIdList> ids;
-  for (std::size_t c = 0; c < curved.Cells.size(); ++c)
+  const std::size_t count = source.NumberOfCells();
+  for (std::size_t c = 0; c < count; ++c)
   {
-    const CellDivision& division = divisions[curved.KindOf[c]];
-    grid->GetCells()->GetCellAtId(curved.Cells[c], ids);
-    numbers.Number(ids, division);
-    numbers.AddCells(division, curved.Cells[c]);
-    points.Begins.push_back(points.Places.size());
+    if (plan.Parts()[c] > 0)
+    {
+      const CellParts parts = plan.PartsOf(c, ids);
+      source.ReadIds(c, ids);
+      numbers.Divide(source.KindOf(c).Shape, parts, ids, source.Curved.Cells[c]);
+    }
+    else
+    {
+      points.Begins.push_back(points.Places.size());
+    }
     if (c % CellsBetweenReports == 0 &&
-      (!budget.Allows(
-         made.MemoryInBytes() + shared.MemoryInBytes() + points.Places.size() * sizeof(PointValue),
+      (!budget.Allows(made.MemoryInBytes() + shared.MemoryInBytes() + points.MemoryInBytes() +
+           points.Places.size() * sizeof(PointValue),
          made.NumberOfCells()) ||
-        !budget.GoesOn(static_cast<double>(c) / static_cast<double>(curved.Cells.size()))))
+        !budget.GoesOn(static_cast<double>(c) / static_cast<double>(count))))
     {
       return false;
     }
   }
+  points.Places.shrink_to_fit();
   return budget.Allows(
-    made.MemoryInBytes() + points.Places.size() * sizeof(PointValue), made.NumberOfCells());
+    made.MemoryInBytes() + points.MemoryInBytes() + points.Places.size() * sizeof(PointValue),
+    made.NumberOfCells());
 }
 
-bool PlaceCurvedPoints(vtkUnstructuredGrid* grid, const CurvedCells& curved,
-  const PointReader& reader, int parts, const CurvedPoints& points, const ReportProgress& progress,
-  PointValue* at)
+bool PlaceCurvedPoints(const CurvedSource& source, const CurvedPoints& points,
+  const ReportProgress& progress, PointValue* at)
 {
-  std::vector<std::vector<glm::dvec3>> places;
-  for (const CurvedKind& kind : curved.Kinds)
-  {
-    places.push_back(PlacesOf(Divide(kind.Shape, parts)));
-  }
-  return ForEachCurvedCell(grid, curved, reader, places, progress,
-    [&](std::size_t cell, const std::vector<PointValue>& ofCell, const double* rows)
+  return ForEachWithReader(source.NumberOfCells(), progress,
+    [&](CurvedCellReader& cell, std::size_t number)
     {
-      for (std::size_t p = points.Begins[cell]; p < points.Begins[cell + 1]; ++p)
+      const std::size_t begin = points.Begins[number], end = points.Begins[number + 1];
+      if (begin < end)
       {
-        at[p] = Weigh(rows + points.Places[p] * ofCell.size(), ofCell);
+        cell.Read(source, number);
+      }
+      for (std::size_t p = begin; p < end; ++p)
+      {
+        at[p] = cell.At(points.Places[p]);
       }
     });
 }

@@ -4,27 +4,40 @@
 #define TemporalCoherence_CurvedError_h
 
 #include "Scene/Progress.h"
-#include "Shapes/CurvedCells.h"
-#include "Shapes/PointReader.h"
+#include "Shapes/CurvedCellReader.h"
+
+#include <cstddef>
+#include <vector>
 
 namespace TemporalCoherence
 {
 
-/// How far linear cells are from curved ones, at most.
+/// How far the linear cells of a curved one are from it, at most.
+struct CellError
+{
+  double OfPoints = 0.0;    ///< in parts of the diagonal of the box around its points
+  double OfValues = 0.0;    ///< as they are
+  double LowestValue = 0.0; ///< of its points
+  double HighestValue = 0.0;
+  CurvedCellReader::Samples Given = CurvedCellReader::Samples::All;
+};
+
+/// The largest errors of all cells.
 struct CurvedError
 {
   double OfPoints = 0.0; ///< of the size of the cell
   double OfValues = 0.0; ///< of the range of its values
 };
 
-/// Bound the error if edges are divided into this many parts (DivisionChecks).
+/// Bound the errors of some cells if their edges are divided into so many parts.
+/// \param numbers of the cells
+/// \param areCones their parts are cones (CellDivider)
+/// \param errors  gets one for each
 /// \return false if progress stopped it
 /// \throws std::bad_alloc
-bool MeasureError(vtkUnstructuredGrid* grid, const CurvedCells& curved, const PointReader& reader,
-  int parts, const ReportProgress& progress, CurvedError& error);
-
-/// The highest order of the cells.
-int OrderOf(const CurvedCells& curved);
+bool MeasureErrors(const CurvedSource& source, const std::vector<std::size_t>& numbers,
+  const std::vector<int>& partsOfKinds, bool areCones, const ReportProgress& progress,
+  std::vector<CellError>& errors);
 
 }
 

@@ -57,9 +57,9 @@ struct MadeCells
 
   std::size_t MemoryInBytes() const
   {
-    return this->Points.size() * sizeof(PointValue) + this->Types.size() +
-      (this->Offsets.size() + this->Connectivity.size()) * sizeof(std::int32_t) +
-      this->Originals.size() * sizeof(std::int64_t);
+    return this->Points.capacity() * sizeof(PointValue) + this->Types.capacity() +
+      (this->Offsets.capacity() + this->Connectivity.capacity()) * sizeof(std::int32_t) +
+      this->Originals.capacity() * sizeof(std::int64_t);
   }
 };
 
@@ -72,7 +72,9 @@ class MakingBudget
 public:
   std::size_t Memory = std::numeric_limits<std::size_t>::max(); ///< bytes
   std::size_t PerCell = 0; ///< bytes that each made cell takes later
-  ReportProgress Report;   ///< called by the calling thread only
+  /// Bytes for cells that can be divided less, at most; the rest of the memory is for others.
+  std::size_t ForDivision = std::numeric_limits<std::size_t>::max();
+  ReportProgress Report; ///< called by the calling thread only
 
   /// \return false if so much memory for so many cells is too much. Then making ends.
   bool Allows(std::size_t bytes, std::int64_t cells)

@@ -11,14 +11,6 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The finisher of splitmix64: each bit depends on all.
-std::uint64_t Mix(std::uint64_t bits)
-{
-  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
-  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
-  return bits ^ (bits >> 31);
-}
-
 /// Weights without common divisor; points that are named twice once.
 void MakeUnique(SharedPoints::Name& name)
 {
@@ -61,8 +53,8 @@ SharedPoints::Key SharedPoints::KeyOf(Name& name)
   {
     for (const std::int64_t number : { point, weight })
     {
-      key.First = Mix(key.First + static_cast<std::uint64_t>(number) + 0x9e3779b97f4a7c15u);
-      key.Second = Mix((key.Second ^ static_cast<std::uint64_t>(number)) * 0xd6e8feb86659fd93u);
+      key.First = MixBits(key.First + static_cast<std::uint64_t>(number) + 0x9e3779b97f4a7c15u);
+      key.Second = MixBits((key.Second ^ static_cast<std::uint64_t>(number)) * 0xd6e8feb86659fd93u);
     }
   }
   return key;

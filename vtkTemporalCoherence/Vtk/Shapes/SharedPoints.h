@@ -13,6 +13,14 @@
 namespace TemporalCoherence
 {
 
+/// The finisher of splitmix64: each bit depends on all.
+inline std::uint64_t MixBits(std::uint64_t bits)
+{
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+  return bits ^ (bits >> 31);
+}
+
 /// Numbers of points that cells share, by names: points of the data set with whole numbers as
 /// weights. So neighbours find the same point without comparing coordinates.
 class SharedPoints

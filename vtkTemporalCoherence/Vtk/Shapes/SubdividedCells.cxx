@@ -53,96 +53,153 @@ bool FindCells(const GivenCells& given, const std::uint8_t* flags, std::uint8_t 
   return true;
 }
 
-std::int64_t CountCells(const CurvedCells& curved, int parts)
-{
-  std::int64_t count = 0;
-  for (const std::uint32_t kind : curved.KindOf)
-  {
-    count += CountDivisionCells(curved.Kinds[kind].Shape, parts);
-  }
-  return count;
-}
-
-/// How many parts the goal needs, within the limits.
-/// \return false if progress stopped it
-bool Plan(vtkUnstructuredGrid* grid, const CurvedCells& curved, const PointReader& reader,
-  const ReportProgress& progress, Subdivision& plan)
-{
-  plan.Curved = static_cast<std::int64_t>(curved.Cells.size());
-  if (curved.Cells.empty())
-  {
-    return true;
-  }
-  // Errors shrink with the square of the number of parts: those of cells of order 2 exactly, others
-  // once the parts are finer than the waves of the functions.
-  const int order = OrderOf(curved);
-  int measured = std::min(2 * (order - 1), MostParts);
-  CurvedError error;
-  double begin = 0.0;
-  const auto measure = [&]
-  {
-    const double end = 0.5 * (1.0 + begin); // nobody knows how often
-    const bool isDone =
-      MeasureError(grid, curved, reader, measured, PartOf(progress, begin, end), error);
-    begin = end;
-    return isDone;
-  };
-  bool isStopped = !measure();
-  const auto meetsGoal = [&]
-  {
-    if (order > 2 && plan.Parts > measured)
-    {
-      measured = plan.Parts;
-      isStopped = !measure();
-    }
-    const double factor = static_cast<double>(measured * measured) / (plan.Parts * plan.Parts);
-    plan.ErrorOfPoints = factor * error.OfPoints;
-    plan.ErrorOfValues = factor * error.OfValues;
-    return std::max(plan.ErrorOfPoints, plan.ErrorOfValues) <= SubdivisionGoal;
-  };
-  while (!meetsGoal() && !isStopped && plan.Parts < MostParts &&
-    CountCells(curved, plan.Parts + 1) <= MostSubdividedCells)
-  {
-    ++plan.Parts;
-  }
-  return !isStopped;
-}
-
-/// The memory of linear cells of curved ones, but not of their points.
-std::size_t MemoryOfCells(const CurvedCells& curved, int parts)
-{
-  constexpr std::size_t bytesOfCell =
-    sizeof(std::uint8_t) + sizeof(std::int32_t) + sizeof(std::int64_t);
-  return static_cast<std::size_t>(CountCells(curved, parts)) * bytesOfCell +
-    static_cast<std::size_t>(CountDivisionIds(curved, parts)) * sizeof(std::int32_t);
-}
-
 /// Shares of the progress that are reached with the plan, with the cells, and with their points.
 constexpr double Planned = 0.3, Divided = 0.8, Placed = 0.9;
 
+/// About what it takes to make cells, and what is kept with them.
+std::size_t MemoryOf(const DivisionSize& size, std::size_t perCell)
+{
+  constexpr double bytesOfCell = sizeof(std::uint8_t) + sizeof(std::int32_t) + sizeof(std::int64_t);
+  constexpr double bytesOfPoint = sizeof(PointValue) + sizeof(DivisionPlace);
+  // Five or six tetrahedra have a point, and so has each hexahedron.
+  const auto cells = static_cast<double>(size.Cells), ids = static_cast<double>(size.Ids);
+  const double points = 0.25 * (ids - 4.0 * cells) + 0.18 * cells;
+  return static_cast<std::size_t>(cells * (bytesOfCell + static_cast<double>(perCell)) +
+    ids * sizeof(std::int32_t) + points * bytesOfPoint);
+}
+
+/// The division of curved cells, as fine as the goal and the budget allow.
+class BudgetedPlan
+{
+public:
+  BudgetedPlan(const CurvedSource& source, const MakingBudget& budget)
+    : Of(source)
+    , Budget(budget)
+    , MostCells(std::clamp(MostCellsOfEach * static_cast<std::int64_t>(source.NumberOfCells()),
+        MostCellsOfFew, MostSubdividedCells))
+  {
+  }
+
+  /// \return false if progress stopped it
+  bool Make(const ReportProgress& progress)
+  {
+    return this->Of.Measure(progress) && this->Choose(PartOf(progress, 1.0, 1.0));
+  }
+
+  /// Divide less, as the cells did not fit.
+  /// \return false if all cells are whole, or if progress stopped it
+  bool Coarsen(const ReportProgress& progress)
+  {
+    constexpr double step = 1.3;
+    this->Limit = DivisionLimit::Memory;
+    this->Goal *= step;
+    return this->Of.IsDivided() && this->Choose(progress);
+  }
+
+  void Tell(Subdivision& told) const
+  {
+    const CurvedError error = this->Of.Error();
+    told.Parts = this->Of.LargestParts();
+    told.ErrorOfPoints = error.OfPoints;
+    told.ErrorOfValues = error.OfValues;
+    told.Limit = this->Limit == DivisionLimit::Goal && told.Parts == MostParts
+      ? DivisionLimit::Cells
+      : this->Limit;
+  }
+
+  CurvedPlan Of;
+  DivisionSize Size;
+
+private:
+  /// Choose the smallest error whose cells are few enough.
+  bool Choose(const ReportProgress& progress)
+  {
+    for (;;)
+    {
+      this->Size = this->Of.Choose(this->Goal);
+      double over = this->Excess();
+      if (over <= 1.0 || !this->Of.IsDivided())
+      {
+        if (!this->Of.Join(progress, this->Size))
+        {
+          return false;
+        }
+        over = this->Excess();
+      }
+      if (over <= 1.0 || !this->Of.IsDivided())
+      {
+        return true;
+      }
+      // There are about as many cells as the error to the power of -3/2.
+      constexpr double least = 1.05;
+      this->Goal *= std::max(least, std::pow(over, 2.0 / 3.0));
+    }
+  }
+
+  /// How often the cells are more than what is allowed.
+  double Excess()
+  {
+    const double ofCells =
+      static_cast<double>(this->Size.Cells) / static_cast<double>(this->MostCells);
+    const double ofMemory = static_cast<double>(MemoryOf(this->Size, this->Budget.PerCell)) /
+      static_cast<double>(std::max<std::size_t>(this->Budget.ForDivision, 1));
+    const double excess = std::max(ofCells, ofMemory);
+    if (excess > 1.0)
+    {
+      this->Limit = ofMemory > ofCells ? DivisionLimit::Memory : DivisionLimit::Cells;
+    }
+    return excess;
+  }
+
+  const MakingBudget& Budget;
+  std::int64_t MostCells;
+  double Goal = SubdivisionGoal;
+  DivisionLimit Limit = DivisionLimit::Goal;
+};
+
 /// Make linear cells of the curved ones.
 /// \return false if the budget does not do, or if it was stopped
-bool MakeCurvedCells(vtkUnstructuredGrid* grid, const CurvedCells& curved,
-  const PointReader& reader, int parts, MakingBudget& budget, SharedPoints& shared, MadeCells& made,
-  CurvedPoints& points)
+bool MakeCurvedCells(const CurvedSource& source, const BudgetedPlan& plan, MakingBudget& budget,
+  SharedPoints& shared, MadeCells& made, CurvedPoints& points)
 {
-  const std::int64_t cells = CountCells(curved, parts);
-  if (!budget.Allows(MemoryOfCells(curved, parts), cells))
+  if (!budget.Allows(MemoryOf(plan.Size, 0), plan.Size.Cells))
   {
     return false;
   }
-  made.Reserve(cells, CountDivisionIds(curved, parts));
+  made.Reserve(plan.Size.Cells, plan.Size.Ids);
   const ReportProgress whole = budget.Report;
   budget.Report = PartOf(whole, Planned, Divided);
-  const bool areDivided = DivideCurvedCells(grid, curved, parts, budget, shared, made, points);
+  const bool areDivided = DivideCurvedCells(source, plan.Of, budget, shared, made, points);
   budget.Report = whole;
-  if (!areDivided)
+  return areDivided;
+}
+
+/// Plan, and make linear cells of the curved ones, without their points. Less are made if they do
+/// not fit into the memory.
+/// \return false if the budget does not do, or if it was stopped
+bool MakeCurvedWithin(const CurvedSource& source, BudgetedPlan& plan, MakingBudget& budget,
+  SharedPoints& shared, MadeCells& made, CurvedPoints& points)
+{
+  if (!plan.Make(PartOf(budget.Report, 0.0, Planned)))
   {
     return false;
   }
-  made.Points.resize(points.Places.size());
-  return PlaceCurvedPoints(
-    grid, curved, reader, parts, points, PartOf(whole, Divided, Placed), made.Points.data());
+  for (;;)
+  {
+    MakingBudget trial = budget;
+    if (MakeCurvedCells(source, plan, trial, shared, made, points))
+    {
+      return true;
+    }
+    if (!trial.IsTooSmall() || !plan.Coarsen({}))
+    {
+      budget.Allows(trial.NeededMemory(), 0);
+      return false;
+    }
+    made = MadeCells();
+    shared = SharedPoints();
+    points = CurvedPoints();
+  }
 }
 
 std::string HaveTooMany(const GivenCells& given, const CellsToReplace& cells)
@@ -189,90 +246,111 @@ bool IsSubdivided(int type)
   return IsCurved(type) || IsPolyhedron(type);
 }
 
+std::int64_t CountCurvedCells(vtkUnstructuredGrid* grid)
+{
+  std::int64_t count = 0;
+  for (vtkIdType cell = 0; grid && cell < grid->GetNumberOfCells(); ++cell)
+  {
+    count += IsCurved(grid->GetCellType(cell)) ? 1 : 0;
+  }
+  return count;
+}
+
 bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, int component,
   const std::uint8_t* flags, std::uint8_t hidingFlags, std::vector<MeshPart>& parts,
   std::string& error, Subdivision* told, MakingBudget* budget, KeptDivision* kept)
 {
   MakingBudget unlimited;
   MakingBudget& limits = budget ? *budget : unlimited;
-  Subdivision plan;
+  Subdivision division;
   CellsToReplace cells;
   if (!FindCells(given, flags, hidingFlags, cells, error))
   {
     return false;
   }
-  vtkUnstructuredGrid* const grid = given.Grid;
-  const PointReader reader{ grid->GetPoints(), pointScalars, component };
-  if (!limits.GoesOn(0.0) ||
-    !Plan(grid, cells.Curved, reader, PartOf(limits.Report, 0.0, Planned), plan))
+  const PointReader reader{ given.Grid->GetPoints(), pointScalars, component };
+  const CurvedSource source(given.Grid, cells.Curved, reader);
+  division.Curved = static_cast<std::int64_t>(cells.Curved.Cells.size());
+  division.Others = static_cast<std::int64_t>(cells.Others.size());
+  if (!limits.GoesOn(0.0))
   {
     return false;
   }
-  plan.Others = static_cast<std::int64_t>(cells.Others.size());
-  if (told)
-  {
-    *told = plan;
-  }
-  if (plan.Curved + plan.Others == 0)
-  {
-    return true;
-  }
-  if (8 * CountCells(cells.Curved, plan.Parts) > MostMadeIds)
+  if (8 * division.Curved > MostMadeIds)
   {
     error = HaveTooMany(given, cells);
     return false;
   }
   const auto made = std::make_shared<MadeCells>();
-  SharedPoints shared;
   CurvedPoints points;
-  if (!MakeCurvedCells(grid, cells.Curved, reader, plan.Parts, limits, shared, *made, points) ||
-    !MakePolyhedra(given, cells, reader, limits, shared, *made, error))
+  BudgetedPlan plan(source, limits);
   {
-    return false;
+    SharedPoints shared;
+    if (!MakeCurvedWithin(source, plan, limits, shared, *made, points))
+    {
+      return false;
+    }
+    made->Points.resize(points.Places.size());
+    if (!PlaceCurvedPoints(
+          source, points, PartOf(limits.Report, Divided, Placed), made->Points.data()) ||
+      !MakePolyhedra(given, cells, reader, limits, shared, *made, error))
+    {
+      return false;
+    }
+  }
+  plan.Tell(division);
+  if (told)
+  {
+    *told = division;
+  }
+  if (made->NumberOfCells() == 0)
+  {
+    return true;
   }
   const auto at = std::make_shared<const std::vector<PointValue>>(std::move(made->Points));
   made->Points.clear();
   parts.push_back(PartOf(made, at));
   if (kept && cells.Others.empty())
   {
-    *kept = { std::move(cells.Curved), plan, std::move(points), made };
+    PartsOfCells chosen = plan.Of.Parts();
+    *kept = { std::move(cells.Curved), division, std::move(chosen), std::move(points), made };
   }
   return true;
 }
 
 bool SetSubdividedValues(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
-  const ReportProgress& progress, KeptDivision& kept, MeshPart& part, bool& isStopped)
+  const MakingBudget& budget, KeptDivision& kept, MeshPart& part, bool& isStopped)
 {
   isStopped = false;
   if (!kept.Made)
   {
     return false;
   }
-  const PointReader reader{ grid->GetPoints(), pointScalars, component };
-  Subdivision plan;
-  isStopped = !Plan(grid, kept.Curved, reader, PartOf(progress, 0.0, 0.5), plan);
+  const CurvedSource source(
+    grid, kept.Curved, PointReader{ grid->GetPoints(), pointScalars, component });
+  BudgetedPlan plan(source, budget);
+  isStopped = !plan.Make(PartOf(budget.Report, 0.0, 0.5));
   // More parts than are needed would do, too. But a picture must not tell what was drawn before.
-  if (isStopped || plan.Parts != kept.Told.Parts)
+  if (isStopped || plan.Of.Parts() != kept.Parts)
   {
     return false;
   }
   const auto at = std::make_shared<std::vector<PointValue>>(kept.Points.Places.size());
-  isStopped = !PlaceCurvedPoints(
-    grid, kept.Curved, reader, plan.Parts, kept.Points, PartOf(progress, 0.5, 1.0), at->data());
+  isStopped = !PlaceCurvedPoints(source, kept.Points, PartOf(budget.Report, 0.5, 1.0), at->data());
   if (isStopped)
   {
     return false;
   }
-  kept.Told = plan;
+  plan.Tell(kept.Told);
   part = PartOf(kept.Made, at);
   return true;
 }
 
 std::size_t KeptDivision::MemoryInBytes() const
 {
-  return this->Curved.Cells.size() * (sizeof(vtkIdType) + sizeof(std::uint32_t)) +
-    this->Points.Begins.size() * sizeof(std::size_t) +
-    this->Points.Places.size() * sizeof(std::uint16_t);
+  return this->Curved.Cells.capacity() * sizeof(vtkIdType) +
+    this->Curved.KindOf.capacity() * sizeof(std::uint32_t) +
+    this->Parts.capacity() * sizeof(std::uint16_t) + this->Points.MemoryInBytes();
 }
 
 }

@@ -21,14 +21,23 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
+/// What kept curved cells from being divided further.
+enum class DivisionLimit
+{
+  Goal,   ///< SubdivisionGoal: nothing
+  Cells,  ///< the most cells or parts that there may be
+  Memory, ///< MakingBudget
+};
+
 /// What linear cells made of others differ by.
 struct Subdivision
 {
-  int Parts = 1;            ///< of each edge of a curved cell
+  int Parts = 1;            ///< of each edge of a curved cell, at most
   std::int64_t Curved = 0;  ///< cells with an order of 2 or more
   std::int64_t Others = 0;  ///< polyhedra, prisms and convex sets of points
   double ErrorOfPoints = 0; ///< of the size of a curved cell
-  double ErrorOfValues = 0; ///< of the range of values in it
+  double ErrorOfValues = 0; ///< of the range of values in it; NaN: not known
+  DivisionLimit Limit = DivisionLimit::Goal;
 };
 
 /// What was made of a grid that has curved cells and no others to be replaced: for other values,
@@ -37,30 +46,35 @@ struct KeptDivision
 {
   CurvedCells Curved;
   Subdivision Told;
+  PartsOfCells Parts;
   CurvedPoints Points;
   std::shared_ptr<const MadeCells> Made; ///< without points; null: nothing is kept
 
   std::size_t MemoryInBytes() const;
 };
 
-/// The error that curved cells are divided for: of their size, and of the range of their values.
-/// Where values hardly differ, it is of 1 % of the range of all cells.
-constexpr double SubdivisionGoal = 1e-3;
-
-/// Edges are divided into no more parts, and cells into no more cells (1.4 GiB).
-constexpr int MostParts = 8;
+/// The curved cells of a grid are divided into no more cells than 2^12 each, but into up to 2^20
+/// where there are few, and never into more than 2^25 (2.4 GiB), unless there are more of them.
+/// Few cells whose values are noise would take all memory there is, too.
+constexpr std::int64_t MostCellsOfEach = std::int64_t(1) << 12;
+constexpr std::int64_t MostCellsOfFew = std::int64_t(1) << 20;
 constexpr std::int64_t MostSubdividedCells = std::int64_t(1) << 25;
 
 /// True for types of cells that AppendSubdividedCells draws.
 bool IsSubdivided(int type);
 
+/// The cells of a grid, which may be null, with an order of 2 or more.
+std::int64_t CountCurvedCells(vtkUnstructuredGrid* grid);
+
 /// Make linear cells of the cells that have a volume, but are neither a tetrahedron, voxel,
 /// hexahedron, wedge nor pyramid. Cells of all other types are ignored.
 ///
-/// Cells with an order of 2 or more are divided; all edges into the same number of parts, so that
-/// neighbours share all points. Polyhedra become pyramids and tetrahedra around their centre,
-/// prisms become wedges around their axis, convex sets of points the tetrahedra that VTK makes of
-/// them.
+/// Cells with an order of 2 or more are divided into as many parts as SubdivisionGoal needs, or
+/// less if these are too many for the budget. Neighbours share all points of their faces and edges.
+/// A point between corners without a finite value gets that between the corners; a cell with a
+/// corner whose value is not a number is left out. Polyhedra become pyramids and tetrahedra around
+/// their centre, prisms become wedges around their axis, convex sets of points the tetrahedra that
+/// VTK makes of them.
 ///
 /// \param pointScalars a tuple for each point
 /// \param component negative: the length of vectors
@@ -80,10 +94,10 @@ bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, 
 /// \pre   cells, flags and points of the grid are those of which `kept` was made
 /// \param part gets the same cells with other points
 /// \param isStopped true if progress stopped it
-/// \return false if the values need another number of parts, nothing is kept, or it was stopped
+/// \return false if the values need other numbers of parts, nothing is kept, or it was stopped
 /// \throws std::bad_alloc
 bool SetSubdividedValues(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
-  const ReportProgress& progress, KeptDivision& kept, MeshPart& part, bool& isStopped);
+  const MakingBudget& budget, KeptDivision& kept, MeshPart& part, bool& isStopped);
 
 }
 

@@ -135,6 +135,32 @@ TEST_F(BlendLook, GradientOpacity)
   }
 }
 
+/// A function that bends to one side in every cell of a long path: what each cell misses adds up.
+TEST_F(BlendLook, ThinFogInLongNoise)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  constexpr glm::dvec4 none{ 1.0, 1.0, 1.0, 0.0 }, much{ 1.0, 1.0, 1.0, 0.006 };
+  const std::vector<LookPoint> fromNothing{ { 0.0, none }, { 0.5, none }, { 1.0, much } };
+  const std::vector<LookPoint> fromLittle{ { 0.0, { 1.0, 1.0, 1.0, 0.001 } },
+    { 0.5, { 1.0, 1.0, 1.0, 0.002 } }, { 1.0, much } };
+  BlendVolume<float> noise({ 181, 175, 190 });
+  std::mt19937 random(1);
+  std::uniform_real_distribution<> values(0.0, 255.0);
+  noise.Fill([&](int, int, int) { return values(random); });
+  FrameKey key = MakeBlendKey(noise, BlendMode::Composite, fromNothing);
+  key.View = LookAt(key.Samples.Dimensions, { 1.0, 2.0, 0.7 }, { 500, 500 });
+  for (const auto* look : { &fromNothing, &fromLittle })
+  {
+    for (const double unit : { 1.5, 4.0 })
+    {
+      key.Volume.Looks[0].Transfer = MakeTransfer(this->Volume.Range, *look);
+      key.Volume.Looks[0].UnitDistance = unit;
+      const BlendErrors errors = CompareWithTruth(key, BlendedFrame(key), 833);
+      EXPECT_LE(errors.Largest, 2.0);
+    }
+  }
+}
+
 /// Values from 0 to 3000, but for noise.
 class NoisyLook : public BlendLook
 {

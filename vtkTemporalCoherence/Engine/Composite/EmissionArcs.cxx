@@ -32,6 +32,9 @@ constexpr float Beyond = 1e35f;
 /// by less than 0.4 of it. Colours may be off by less, as all of a picture may have one of them.
 constexpr double ShareOff = 1.0 / 128.0, ColorOff = 1.0 / 400.0;
 
+/// Where extinction is small, the tolerance is this share of it, but not less than a sixteenth.
+constexpr double ShareOffThin = 1.0 / 24.0;
+
 /// The share of an arc that rays may be off where they leave it or the arc behind.
 constexpr float PrecisionOfArc = 0.02f;
 
@@ -227,7 +230,10 @@ private:
     const double extinction = this->Emission.At(place, 0);
     for (std::size_t channel = 0; channel < 4; ++channel)
     {
-      const double most = channel > 0 ? ColorOff : std::max(this->Tolerance, ShareOff * extinction);
+      // Thin fog adds up along a ray.
+      const double thin =
+        std::clamp(ShareOffThin * extinction, this->Tolerance / 16.0, this->Tolerance);
+      const double most = channel > 0 ? ColorOff : std::max(thin, ShareOff * extinction);
       const double off = ValueOf(arc.Channels[channel], x) - this->Emission.At(place, channel);
       if (!(std::abs(off) <= most))
       {

@@ -47,6 +47,7 @@ struct CellPaths
   V Enter, Length;         ///< as those of VolumeSegments
   V Begin[3], Across[3];   ///< in the coordinates of the cell
   V Shown;                 ///< the share of light that comes to the viewer
+  V Off;                   ///< how far what rays have shown may be off
   std::size_t Ray;         ///< the first one
   std::size_t Slot;        ///< of the first one
   std::int32_t CellNumber; ///< among those of the leaf

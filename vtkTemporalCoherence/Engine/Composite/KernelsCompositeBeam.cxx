@@ -26,6 +26,7 @@ struct BlendRays
   std::array<Array<float>, 3> Inverse; ///< finite
   Array<float> Begin, End;             ///< t of the beam
   Array<float> Shown;                  ///< the share of light from behind that comes to the viewer
+  Array<float> Off;                    ///< how far what was shown may be off
 };
 
 }
@@ -68,7 +69,8 @@ public:
     , Rays(rays)
     , Seen(seen)
     , PerScale(static_cast<float>(1.0 / beam.Scale))
-    , Shader(volume.Emitting, lit)
+    , Shader(volume.Emitting, lit,
+        std::max({ volume.NumberOfCells.x, volume.NumberOfCells.y, volume.NumberOfCells.z }))
     , Queue(volume.Emitting, volume.Seen, lit, this->Cells.data(), this->Sums)
     , OnArcs(volume.Emitting, volume.Arcs, lit, this->Sums)
   {
@@ -163,10 +165,13 @@ private:
       paths.Across[a] = hn::Mul(length, direction);
     }
     paths.Shown = hn::LoadU(d, &this->Rays.Shown[i]);
+    paths.Off = hn::LoadU(d, &this->Rays.Off[i]);
     paths.Ray = i;
     EvenLight light = this->Shader.FindLight(cell, passes, paths);
     const M isHard = hn::AndNot(light.IsRight, passes);
     const bool isAnyHard = !hn::AllFalse(d, isHard);
+    const V off = hn::IfThenElseZero(hn::And(light.IsEven, passes), light.Off);
+    hn::StoreU(hn::Add(paths.Off, off), d, &this->Rays.Off[i]);
     light.IsRight = hn::And(light.IsRight, passes);
     const V passed = hn::IfThenElse(hn::And(light.IsEven, passes), light.Passed, one);
     light.Passed = hn::IfThenElse(light.IsRight, light.Passed, one);
@@ -404,6 +409,7 @@ void SetUpRays(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cell
     made.Begin[i] = isRay ? beam.DistanceOf(rays.Begin[i]) : 0.0f;
     made.End[i] = isRay ? beam.DistanceOf(rays.End[i]) : 0.0f;
     made.Shown[i] = isRay ? seen.Passed[i] : 0.0f;
+    made.Off[i] = 0.0f;
   }
 }
 }

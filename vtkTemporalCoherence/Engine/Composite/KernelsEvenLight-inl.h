@@ -30,8 +30,17 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// How much of what comes to the viewer may be off as emission bends, in shares of light.
-constexpr float EmissionTolerance = 1.0f / 2048.0f;
+/// How much of what comes to the viewer may be off in a cell as emission bends, in shares of light,
+/// and how much along a whole ray. Errors add up, as a function bends to the same side in all
+/// cells.
+constexpr float EmissionTolerance = 1.0f / 2048.0f, ToleranceOfRay = 1.0f / 64.0f;
+
+/// A ray is that exact only behind where it may be off by more than this: a function that bends in
+/// a few cells costs nothing.
+constexpr float FreelyOff = 1.0f / 192.0f;
+
+/// What may be off then, in shares of what is emitted: all of that comes to less than 1.
+constexpr float ToleranceOfDepth = 1.0f / 128.0f;
 
 /// What two places miss of light for each unit of the square of the turn of a normal (1 - the
 /// cosine of the angle between both places), in units of what may be missed.
@@ -51,6 +60,7 @@ struct EvenLight
   V Passed, Color[3];
   V Extinction[2]; ///< at the places of a pair
   V Depth;         ///< optical depth
+  V Off;           ///< how far what is shown may be off, if it is even
   M IsEven;        ///< emission is: Passed is right
   M IsRight;       ///< all is
 
@@ -70,9 +80,11 @@ template <std::size_t Colors>
 class EvenShader
 {
 public:
-  EvenShader(const EmittingVolume& volume, const LitRays& lit)
+  /// \param cells that a ray may pass
+  EvenShader(const EmittingVolume& volume, const LitRays& lit, int cells)
     : Emitting(volume)
     , Sharpness(volume.Sharpness())
+    , OffInCell(std::min(EmissionTolerance, ToleranceOfRay / static_cast<float>(cells)))
   {
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
@@ -101,9 +113,15 @@ public:
     light.Depth = hn::Mul(hn::Mul(half, paths.Length), hn::Add(emittedA, emittedB));
     const V square = hn::Mul(light.Depth, light.Depth);
     const V off = hn::Mul(hn::Mul(hn::Set(d, cell.Emitted.Off), paths.Length), paths.Shown);
-    light.IsEven = hn::And(hn::And(hn::Le(off, hn::Set(d, EmissionTolerance)),
-                             hn::Le(light.Depth, hn::Set(d, MostEvenDepth))),
-      hn::Le(hn::Mul(hn::Mul(square, square), paths.Shown), hn::Set(d, MostFourthPower)));
+    const V most = hn::Set(d, EmissionTolerance);
+    const V ofDepth = hn::Mul(hn::Mul(light.Depth, paths.Shown), hn::Set(d, ToleranceOfDepth));
+    const V least = hn::Min(hn::Max(ofDepth, hn::Set(d, this->OffInCell)), most);
+    const M isEarly = hn::And(hn::Gt(light.Depth, zero), hn::Lt(paths.Off, hn::Set(d, FreelyOff)));
+    light.Off = hn::IfThenElseZero(hn::Gt(light.Depth, zero), off);
+    const V mayBeOff = hn::IfThenElse(isEarly, most, least);
+    light.IsEven =
+      hn::And(hn::And(hn::Le(off, mayBeOff), hn::Le(light.Depth, hn::Set(d, MostEvenDepth))),
+        hn::Le(hn::Mul(hn::Mul(square, square), paths.Shown), hn::Set(d, MostFourthPower)));
     if (!this->Emitting.ByGradient.Opacities.empty())
     {
       light.IsEven = hn::Lt(half, zero);
@@ -212,6 +230,7 @@ private:
 
   const EmittingVolume& Emitting;
   float Sharpness;
+  float OffInCell; ///< what may be off in any cell
   RayVectors Vectors[RayBatch::Capacity / hn::MaxLanes(Floats())];
 };
 

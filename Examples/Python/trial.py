@@ -33,7 +33,7 @@ COPIES = 2  # of what is read, for a while
 LEAST_BYTES = 512 << 20  # of memory
 LEAST_SECONDS = 1.5  # of a processor; small files take a hundredth of a second
 BYTES_PER_SECOND = 4 << 20  # that a slow machine reads, at least, and
-INFLATED_PER_SECOND = 64 << 20  # that it inflates
+INFLATED_PER_SECOND = 128 << 20  # that it inflates
 MOST_WAITING = 8  # times the seconds of a processor: how long a reader may wait for a disk
 MOST_OF_LIST = 1 << 20  # bytes that are searched for names of files
 

@@ -3,6 +3,7 @@
 // Opens files in the ways of the example programs, each in a process of its own: see usage().
 #include "Draw.h"
 #include "Files/Arrays.h"
+#include "Files/HandOver.h"
 #include "Files/Trial.h"
 #include "Files/VolumeReader.h"
 #include "Program/CommandLine.h"
@@ -45,9 +46,10 @@ const char* const Usage =
 
 usage: OpenFiles < REQUESTS
 
-A request is a line WAY<tab>FILE<tab>SAID[<tab>LAYOUT]: WAY is explorer, session, orbit or tell, FILE
+A request is a line WAY<tab>FILE<tab>SAID[<tab>LAYOUT]: WAY is explorer, session, orbit, tell or pass, FILE
 what is opened, SAID a file for what is printed, LAYOUT what --raw takes, or of tell an array. With
-tell nothing is drawn: what was read is told, and where its samples lie. The answer is a line with the
+tell nothing is drawn: what was read is told, and where its samples lie; with pass it is handed over by
+a file first, as from a process that tries it. The answer is a line with the
 status that wait() gave and the most memory that the process had, in KiB: "0 51234". A process that
 takes more than 20 s is ended by SIGALRM; one that asks for more than 1 GiB is refused it.
 )";
@@ -69,10 +71,16 @@ Request Parse(const std::string& line)
 }
 
 // What was read, and places and values of samples: of the first one, its neighbours and the last.
-void Tell(VolumeSource source, const std::string& array)
+// \param onTheWay a file: what was read is handed over by it first
+void Tell(VolumeSource source, const std::string& array, const std::string& onTheWay)
 {
   source.Array = array;
-  const Volume volume = ReadVolume(source);
+  Volume volume = ReadVolume(source);
+  if (!onTheWay.empty())
+  {
+    const bool isWritten = WriteHandOver(volume, onTheWay);
+    volume = ReadHandOver(isWritten ? onTheWay : "").value();
+  }
   const Histogram histogram = CountSamples(volume);
   std::printf("array %s%s\n", volume.Array.Name.c_str(), volume.Array.IsOnCells ? " of cells" : "");
   std::printf("range %g %g\n", histogram.Range[0], histogram.Range[1]);
@@ -135,9 +143,9 @@ int Open(const Request& request)
     {
       VolumeSource source;
       source.Path = request.File;
-      if (request.Way == "tell")
+      if (request.Way == "tell" || request.Way == "pass")
       {
-        Tell(source, request.Layout);
+        Tell(source, request.Layout, request.Way == "pass" ? request.Said + ".passed" : "");
         return;
       }
       if (!request.Layout.empty())

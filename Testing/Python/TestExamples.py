@@ -23,7 +23,7 @@ import numpy
 from spheres import SAMPLES, distances, image_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLStructuredGridWriter
 
@@ -349,6 +349,100 @@ class Volumes(Example):
                 (r"no array '\\x1b\[2J", ["--array", "\x1b[2J"]),
                 (r"no array 'long.* \.\.\. .*long'", ["--array", 9999 * "long"]))):
             self.assert_refused(words, program, *arguments)
+
+
+class Headers(Example):
+    """What files of scanners say is applied."""
+
+    def setUp(self):
+        super().setUp()
+        for folder in (EXAMPLES, EXAMPLES.parents[1] / "Testing" / "Files"):
+            sys.path.insert(0, str(folder))
+            self.addCleanup(sys.path.remove, str(folder))
+
+    def read(self, name, data):
+        from volumes import read_volume
+        path = self.folder / name
+        path.write_bytes(data)
+        return read_volume(str(path))
+
+    def place(self, image, index):
+        point = [0.0, 0.0, 0.0]
+        image.TransformIndexToPhysicalPoint(index, point)
+        return point
+
+    def assert_close(self, a, b):
+        self.assertLess(max(abs(x - y) for x, y in zip(a, b)), 1e-4, (a, b))
+
+    def test_nifti(self):
+        from originals import nifti
+        plain = nifti(False)(lambda value: value).files["a.nii"]
+        low, high = self.read("plain.nii", plain).GetScalarRange()
+        data = bytearray(plain)
+        struct.pack_into("<2f", data, 112, 2.5, -1024.0)
+        struct.pack_into("<12f", data, 280, -1, 0, 0, 7, 0, 0, 2, 3, 0, 0.5, 0, -2)  # rows of sform
+        image = self.read("a.nii", bytes(data))
+        self.assert_close(image.GetScalarRange(), (2.5 * low - 1024, 2.5 * high - 1024))
+        first = self.place(image, (0, 0, 0))
+        steps = [[b - a for a, b in zip(first, self.place(image, index))]
+                 for index in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+        for step, length in zip(steps, (1, 0.5, 2)):
+            self.assertAlmostEqual(math.hypot(*step), length, places=4)
+        # Right-handed or not, x is mirrored, and y and z have changed places.
+        self.assertLess(steps[0][0], 0.0)
+        self.assertEqual([[abs(x) > 1e-4 for x in step] for step in steps], [
+            [True, False, False], [False, False, True], [False, True, False]])
+
+    def test_meta_image(self):
+        from originals import meta
+        plain = meta(True)(lambda value: value).files["a.mha"]
+        low, high = self.read("plain.mha", plain).GetScalarRange()
+        data = plain.replace(
+            b"TransformMatrix = 1 0 0 0 1 0 0 0 1", b"TransformMatrix = 0 1 0 -1 0 0 0 0 -1").replace(
+            b"ElementDataFile", b"ElementToIntensityFunctionSlope = 0.5\n"
+            b"ElementToIntensityFunctionOffset = -100\nElementDataFile")
+        image = self.read("a.mha", data)
+        self.assert_close(image.GetScalarRange(), (0.5 * low - 100, 0.5 * high - 100))
+        self.assert_close(self.place(image, (0, 0, 0)), (1.5, 0, -2))
+        self.assert_close(self.place(image, (1, 0, 0)), (1.5, 1, -2))
+        self.assert_close(self.place(image, (0, 1, 0)), (1, 0, -2))
+        self.assert_close(self.place(image, (0, 0, 1)), (1.5, 0, -4))
+        for kind in (b"MET_LONG", b"MET_ULONG_LONG", b"MET_FLOAT_ARRAY"):
+            path = self.folder / "b.mha"
+            path.write_bytes(plain.replace(b"MET_SHORT", kind))
+            self.assert_refused(f"'b.mha' could not be read .* '{kind.decode()}'", "render_server.py", "b.mha")
+
+    def test_the_first_array_that_varies(self):
+        image = image_of(distances())
+        for attributes, count in ((image.GetPointData(), SAMPLES ** 3), (image.GetCellData(), 3)):
+            nothing = numpy_to_vtk(numpy.zeros(count), deep=1)
+            nothing.SetName("nothing" if attributes is image.GetPointData() else "short")
+            attributes.AddArray(nothing)
+        image.GetPointData().SetActiveScalars("nothing")
+        image.GetCellData().RemoveArray("short")
+        writer = vtkXMLImageDataWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(str(self.folder / "a.vti"))
+        writer.Write()
+        self.run_well("render_server.py", "a.vti", "--isovalue", 0.5, "--azimuth", 0)
+        pixels = read_png(path=self.folder / "pictures" / "isovalue0.5_azimuth0.png")
+        self.assert_shows_sphere(pixels, 0.5)
+        self.assert_refused(r"all the same.*--array \(.*scalars", "render_server.py", "a.vti", "--array", "nothing")
+
+    def test_cells_of_images(self):
+        image = vtkImageData()
+        image.SetDimensions(SAMPLES + 1, SAMPLES + 1, SAMPLES + 1)
+        scalars = numpy_to_vtk(distances().ravel(), deep=1)
+        scalars.SetName("distance")
+        image.GetCellData().AddArray(scalars)
+        writer = vtkXMLImageDataWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(str(self.folder / "a.vti"))
+        writer.Write()
+        for arguments in ([], ["--array", "distance"]):
+            self.run_well("render_server.py", "a.vti", "--isovalue", 0.5, "--azimuth", 0, *arguments)
+            pixels = read_png(path=self.folder / "pictures" / "isovalue0.5_azimuth0.png")
+            self.assertGreater(pixels.any(axis=2).mean(), 0.02)
 
 
 class RenderServer(Example):

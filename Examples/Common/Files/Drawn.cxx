@@ -6,8 +6,8 @@
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
-#include <vtkCellTypes.h>
-#include <vtkDataArray.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
 #include <vtkExplicitStructuredGrid.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
@@ -17,6 +17,7 @@
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
+#include <vtkUniformGridAMR.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -53,6 +54,49 @@ vtkUnsignedCharArray* GhostsOf(vtkDataSetAttributes* attributes)
     attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
 }
 
+// The mean of the drawn cells around each point.
+// \param isDrawn for each cell; null: all are
+vtkSmartPointer<vtkDataArray> Averaged(
+  vtkDataSet* set, vtkDataArray* ofCells, const std::vector<unsigned char>* isDrawn)
+{
+  const int components = ofCells->GetNumberOfComponents();
+  const auto means = vtkSmartPointer<vtkDoubleArray>::New();
+  means->SetNumberOfComponents(components);
+  means->SetNumberOfTuples(set->GetNumberOfPoints());
+  means->Fill(0.0);
+  std::vector<double> counts(static_cast<std::size_t>(set->GetNumberOfPoints()), 0.0);
+  std::vector<double> tuple(static_cast<std::size_t>(components));
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < set->GetNumberOfCells(); ++cell)
+  {
+    if (isDrawn && (*isDrawn)[static_cast<std::size_t>(cell)] == 0)
+    {
+      continue;
+    }
+    ofCells->GetTuple(cell, tuple.data());
+    set->GetCellPoints(cell, corners);
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType point = corners->GetId(i);
+      counts[static_cast<std::size_t>(point)] += 1.0;
+      for (int j = 0; j < components; ++j)
+      {
+        means->SetComponent(
+          point, j, means->GetComponent(point, j) + tuple[static_cast<std::size_t>(j)]);
+      }
+    }
+  }
+  for (vtkIdType point = 0; point < set->GetNumberOfPoints(); ++point)
+  {
+    const double count = std::max(counts[static_cast<std::size_t>(point)], 1.0);
+    for (int j = 0; j < components; ++j)
+    {
+      means->SetComponent(point, j, means->GetComponent(point, j) / count);
+    }
+  }
+  return means;
+}
+
 bool HasMark(vtkUnsignedCharArray* ghosts, vtkIdType i, int marks)
 {
   return ghosts && i < ghosts->GetNumberOfValues() && (ghosts->GetValue(i) & marks) != 0;
@@ -81,11 +125,9 @@ bool HasVolume(vtkDataSet* set)
   }
   else if (vtkUnstructuredGrid::SafeDownCast(set))
   {
-    vtkNew<vtkCellTypes> types;
-    set->GetCellTypes(types);
-    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+    for (vtkIdType cell = 0; cell < set->GetNumberOfCells(); ++cell)
     {
-      if (VolumeTypes()[types->GetCellType(i)])
+      if (VolumeTypes()[static_cast<unsigned char>(set->GetCellType(cell))])
       {
         return true;
       }
@@ -95,6 +137,7 @@ bool HasVolume(vtkDataSet* set)
 }
 
 Drawn::Drawn(vtkDataObject* data)
+  : AreAveraged(HasMeshes(data) && !vtkUniformGridAMR::SafeDownCast(data))
 {
   for (vtkDataSet* set : DataSetsOf(data))
   {
@@ -158,6 +201,13 @@ std::vector<DrawnArray> Drawn::Arrays(const ArrayChoice& choice)
     if (!part.IsKnown)
     {
       LookAt(part);
+    }
+    if (choice.IsOnCells && this->AreAveraged &&
+      array->GetNumberOfTuples() == part.Set->GetNumberOfCells())
+    {
+      arrays.push_back({ Averaged(part.Set, array, part.AreAll ? nullptr : &part.Cells),
+        part.AreAll ? nullptr : &part.Points });
+      continue;
     }
     const std::vector<unsigned char>& mask = choice.IsOnCells ? part.Cells : part.Points;
     const bool fits = array->GetNumberOfTuples() == static_cast<vtkIdType>(mask.size());

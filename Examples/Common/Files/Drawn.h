@@ -5,19 +5,22 @@
 
 #include "Files/Volume.h"
 
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <vector>
 
-class vtkDataArray;
 class vtkDataSet;
 
 // Whether a data set has cells of three dimensions. The mapper draws no others.
 bool HasVolume(vtkDataSet* set);
 
-// An array, and which of its values the mapper draws.
+// An array, and which of its values the mapper draws. What meshes have of cells is averaged to
+// points, as the mapper does.
 struct DrawnArray
 {
-  vtkDataArray* Values = nullptr;
+  vtkSmartPointer<vtkDataArray> Values;
   const std::vector<unsigned char>* IsDrawn = nullptr; // for each tuple; null: all are
 };
 
@@ -45,6 +48,7 @@ private:
   static void LookAt(Part& part);
 
   std::vector<Part> Parts;
+  bool AreAveraged = false; // values of cells
 };
 
 #endif

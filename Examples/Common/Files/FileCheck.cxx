@@ -27,13 +27,13 @@ constexpr Inflation Inflations[] = { { ".gz", 1032.0 }, { ".mha", 1032.0 }, { ".
   { ".vtk", 1.0 }, { ".nii", 1.0 }, { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1.0 } };
 constexpr double InflationOfXml = 8192.0;
 
-constexpr double Wider = 8.0;                  // bytes of a number that a digit of text becomes
-constexpr double Copies = 2.0;                 // of what is read, for a while
-constexpr double LeastBytes = 512 << 20;       // of memory
-constexpr double LeastSeconds = 1.5;           // small files take a hundredth of a second
-constexpr double BytesPerSecond = 4 << 20;     // that a slow machine reads, at least, and
-constexpr double InflatedPerSecond = 64 << 20; // that it inflates
-constexpr std::size_t MostOfList = 1 << 20;    // bytes that are searched for names of files
+constexpr double Wider = 8.0;                   // bytes of a number that a digit of text becomes
+constexpr double Copies = 2.0;                  // of what is read, for a while
+constexpr double LeastBytes = 512 << 20;        // of memory
+constexpr double LeastSeconds = 1.5;            // small files take a hundredth of a second
+constexpr double BytesPerSecond = 4 << 20;      // that a slow machine reads, at least, and
+constexpr double InflatedPerSecond = 128 << 20; // that it inflates
+constexpr std::size_t MostOfList = 1 << 20;     // bytes that are searched for names of files
 
 double InflationOf(const std::string& path)
 {

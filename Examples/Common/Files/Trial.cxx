@@ -3,13 +3,17 @@
 #include "Files/Trial.h"
 
 #include "Files/FileCheck.h"
+#include "Files/HandOver.h"
 #include "Files/VolumeReader.h"
 #include "Program/Quoted.h"
 
 #ifdef _WIN32
 
 void BeginTrials() {}
-void TryReading(const VolumeSource&, const ReadingProgress&) {}
+std::optional<Volume> TryReading(const VolumeSource&, const ReadingProgress&)
+{
+  return {};
+}
 
 #else
 
@@ -43,8 +47,12 @@ void TryReading(const VolumeSource&, const ReadingProgress&) {}
 namespace
 {
 
-constexpr int PollMs = 50;          // between two looks whether the reading is to be stopped
-constexpr double MostBusyShare = 8; // of wall time: how long a reader may wait for a disk
+constexpr int PollMs = 50; // between two looks whether the reading is to be stopped
+// A volume is handed over if reading took longer than that, and than the way takes.
+constexpr double Noticeable = 0.15;          // seconds
+constexpr double BytesPerSecond = 150 << 20; // on the way, on a busy machine
+constexpr double MostOfMemory = 0.25;        // of the machine, which holds a volume twice then
+constexpr double MostBusyShare = 8;          // of wall time: how long a reader may wait for a disk
 
 // What the processes tell each other. Text follows it.
 struct Message
@@ -54,9 +62,9 @@ struct Message
     Request, // text: what is to be read
     Begun,   // number: the process that reads
     Progress,
-    Refused, // text: a sentence
-    WentWell,
-    Ended, // number: the status that wait() gave
+    Refused,  // text: a sentence
+    WentWell, // text: the file by which the volume is handed over, if it is
+    Ended,    // number: the status that wait() gave
   };
   int Kind = Request;
   int Number = 0;
@@ -118,8 +126,30 @@ bool Receive(int socket, Message& message, std::string& text)
   return ReceiveAll(socket, text.data(), text.size());
 }
 
-// --- The process that reads
-// -----------------------------------------------------------------------
+double MemoryOfMachine()
+{
+  return static_cast<double>(sysconf(_SC_PAGESIZE)) * static_cast<double>(sysconf(_SC_PHYS_PAGES));
+}
+
+std::string HandOverFile(pid_t reader)
+{
+  std::error_code error;
+  std::filesystem::path folder = "/dev/shm"; // files in memory, on Linux
+  if (!std::filesystem::is_directory(folder, error))
+  {
+    folder = std::filesystem::temp_directory_path(error);
+  }
+  return (folder / ("vtkTemporalCoherence-" + std::to_string(reader) + ".volume")).string();
+}
+
+// A file of the user's own, which was not there.
+bool MakeFile(const std::string& path)
+{
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0600);
+  return file >= 0 && close(file) == 0;
+}
+
+// The process that reads
 
 void SetLimit(decltype(RLIMIT_CPU) what, double most)
 {
@@ -138,10 +168,26 @@ void Limit(const ReadingLimits& limits)
 #if defined(__linux__) && !defined(TRIAL_HAS_SANITIZER)
   double pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
-  const double size = static_cast<double>(sysconf(_SC_PAGESIZE));
-  const double physical = size * static_cast<double>(sysconf(_SC_PHYS_PAGES));
-  SetLimit(RLIMIT_AS, pages * size + std::min(limits.Bytes, physical));
+  SetLimit(RLIMIT_AS,
+    pages * static_cast<double>(sysconf(_SC_PAGESIZE)) + std::min(limits.Bytes, MemoryOfMachine()));
 #endif
+}
+
+// The file by which the volume is handed over; empty if it is not.
+std::string ReadAndHandOver(const VolumeSource& source, int socket)
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  const Volume volume = ReadUntried(source,
+    [socket](double share) {
+      return Send(socket, { Message::Progress, 0, share });
+    });
+  const std::chrono::duration<double> taken = Clock::now() - begin;
+  const std::string file = HandOverFile(getpid());
+  const double bytes = 1024.0 * static_cast<double>(volume.Data->GetActualMemorySize());
+  const bool isHandedOver = taken.count() > std::max(Noticeable, bytes / BytesPerSecond) &&
+    bytes < MostOfMemory * MemoryOfMachine() && MakeFile(file) && WriteHandOver(volume, file);
+  return isHandedOver ? file : "";
 }
 
 void ReadHere(const VolumeSource& source, int socket)
@@ -157,12 +203,9 @@ void ReadHere(const VolumeSource& source, int socket)
   {
     vtkSMPTools::Initialize(1); // threads take memory, too
     Limit(LimitsOf(source.Path));
-    ReadUntried(source,
-      [socket](double share) {
-        return Send(socket, { Message::Progress, 0, share });
-      });
+    const std::string file = ReadAndHandOver(source, socket);
     // All that was read is freed by now, which finds a heap that a reader has spoilt.
-    Send(socket, { Message::WentWell });
+    Send(socket, { Message::WentWell }, file);
   }
   catch (const std::exception& failure)
   {
@@ -171,8 +214,7 @@ void ReadHere(const VolumeSource& source, int socket)
   _exit(0);
 }
 
-// --- The process that waits for files
-// ---------------------------------------------------------------
+// The process that waits for files
 
 std::string TextOf(const VolumeSource& source)
 {
@@ -211,8 +253,7 @@ VolumeSource SourceOf(const std::string& text)
   _exit(0);
 }
 
-// --- The program
-// ----------------------------------------------------------------------------------
+// The program
 
 // The socket to the other process; negative where there is none.
 int Server = -1;
@@ -232,8 +273,9 @@ std::string IdentityOf(const VolumeSource& source)
 struct Outcome
 {
   bool WentWell = false, IsStopped = false, IsLate = false;
-  std::string Refusal;
+  std::string Refusal, File;
   int Status = -1;
+  pid_t Reader = 0;
 };
 
 // False if the process that waits for files has ended.
@@ -264,6 +306,8 @@ bool WaitFor(Outcome& outcome, const ReadingProgress& progress, double mostSecon
       share = message.Kind == Message::Progress ? message.Share : share;
       outcome.Refusal = message.Kind == Message::Refused ? text : outcome.Refusal;
       outcome.WentWell = outcome.WentWell || message.Kind == Message::WentWell;
+      outcome.File = message.Kind == Message::WentWell ? text : outcome.File;
+      outcome.Reader = message.Kind == Message::Begun ? message.Number : outcome.Reader;
     }
     outcome.IsStopped = outcome.IsStopped || (progress && !progress(share));
     const std::chrono::duration<double> passed = Clock::now() - begin;
@@ -333,14 +377,14 @@ void BeginTrials()
   Server = ends[0];
 }
 
-void TryReading(const VolumeSource& source, const ReadingProgress& progress)
+std::optional<Volume> TryReading(const VolumeSource& source, const ReadingProgress& progress)
 {
   static std::set<std::string> known;
   const std::lock_guard<std::mutex> lock(ServerIsBusy);
   const std::string identity = IdentityOf(source);
   if (Server < 0 || known.count(identity) == 1)
   {
-    return;
+    return {};
   }
   Outcome outcome;
   if (!Send(Server, {}, TextOf(source)) ||
@@ -350,8 +394,16 @@ void TryReading(const VolumeSource& source, const ReadingProgress& progress)
     Server = -1;
     throw Damaged(source.Path, "the process that tries it has ended");
   }
+  std::optional<Volume> volume;
+  if (outcome.WentWell && !outcome.File.empty())
+  {
+    volume = ReadHandOver(outcome.File);
+  }
+  std::error_code error;
+  std::filesystem::remove(HandOverFile(outcome.Reader), error); // also that of a reader that died
   Judge(outcome, source.Path);
   known.insert(identity);
+  return volume;
 }
 
 #endif

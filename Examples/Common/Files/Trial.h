@@ -4,7 +4,10 @@
 #define Trial_h
 
 #include "Files/Reading.h"
+#include "Files/Volume.h"
 #include "Program/VolumeSource.h"
+
+#include <optional>
 
 // VTK's readers believe what files say: some files end them, some never end, and some take all
 // memory. So a process of its own reads a file first, within limits of time and memory. What
@@ -18,7 +21,9 @@
 void BeginTrials();
 
 // Reads a file once, elsewhere. Throws UserError if that did not go well, or if it was stopped. A
-// file that did well is not read here again until it is another one.
-void TryReading(const VolumeSource& source, const ReadingProgress& progress);
+// file that did well is not tried again until it is another one.
+// Returns the volume where reading took long enough to be noticed twice; else it is to be read
+// here.
+std::optional<Volume> TryReading(const VolumeSource& source, const ReadingProgress& progress);
 
 #endif

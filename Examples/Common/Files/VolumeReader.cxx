@@ -353,7 +353,10 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
   double begin = 0.0;
   const ReadingProgress half = [&](double share)
   { return !progress || progress(begin + 0.5 * share); };
-  TryReading(source, half);
+  if (const std::optional<Volume> volume = TryReading(source, half))
+  {
+    return *volume;
+  }
   begin = 0.5;
   return ReadUntried(source, half);
 }

@@ -112,9 +112,10 @@ Histogram CountSamples(const Volume& volume, int component)
   Counter counter{ histogram, component };
   for (const DrawnArray& array : arrays)
   {
-    if (!vtkArrayDispatch::Dispatch::Execute(array.Values, counter, array.IsDrawn))
+    vtkDataArray* const values = array.Values;
+    if (!vtkArrayDispatch::Dispatch::Execute(values, counter, array.IsDrawn))
     {
-      counter(array.Values, array.IsDrawn);
+      counter(values, array.IsDrawn);
     }
   }
   return histogram;

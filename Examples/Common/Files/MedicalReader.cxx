@@ -97,7 +97,7 @@ void RequireKnownType(const std::string& path, std::string type)
   static const std::set<std::string> known = { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT",
     "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE", "MET_CHAR_ARRAY", "MET_UCHAR_ARRAY",
     "MET_SHORT_ARRAY", "MET_USHORT_ARRAY", "MET_INT_ARRAY", "MET_UINT_ARRAY" };
-  if (known.count(type) == 0)
+  if (!type.empty() && known.count(type) == 0) // a file without a type is no MetaImage
   {
     throw UserError(Quoted(path) + " has samples of the type " + Quoted(type) +
       ", which VTK does not read; save them as MET_INT, MET_FLOAT or MET_DOUBLE.");

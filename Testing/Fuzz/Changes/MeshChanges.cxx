@@ -162,7 +162,7 @@ void ManyLayers(World& world)
 
 void LimitMemory(World& world)
 {
-  world.Subject->SetMeshMemoryLimit(world.From.IsWild() ? world.From.WildInt() : 0);
+  world.Subject->SetMeshMemoryLimit(world.From.IsWild() ? world.From.WildInt() : MeshMemory);
   Story::Tell("  memory of meshes ", world.Subject->GetMeshMemoryLimit());
 }
 

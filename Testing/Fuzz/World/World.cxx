@@ -114,7 +114,7 @@ void World::MakeSane()
   mapper->RemoveAllClippingPlanes();
   mapper->SetReuseAccuracy(this->From.Pick(3));
   mapper->SetIsomapMemoryLimit(256);
-  mapper->SetMeshMemoryLimit(0);
+  mapper->SetMeshMemoryLimit(MeshMemory);
   for (const auto& volume : this->Volumes)
   {
     vtkNew<vtkVolumeProperty> property;

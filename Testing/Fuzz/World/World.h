@@ -39,6 +39,9 @@ enum class Theme
 /// How many there are.
 constexpr std::size_t NumberOfThemes = 7;
 
+/// The usual limit for meshes in MiB: without one, a few curved cells of noise become a million.
+constexpr int MeshMemory = 16;
+
 /// A mapper, all that it draws, and those who look at it.
 struct World
 {

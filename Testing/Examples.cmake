@@ -16,7 +16,10 @@ function (temporal_coherence_find_qt result)
   set(has_qt FALSE)
   if (TARGET VTK::GUISupportQt)
     get_target_property(directories VTK::CommonCore INTERFACE_INCLUDE_DIRECTORIES)
-    find_path(TEMPORAL_COHERENCE_QVTK QVTKOpenGLNativeWidget.h HINTS ${directories})
+    # Since VTK 9.6 directories of headers are in file sets, not in the property.
+    find_path(TEMPORAL_COHERENCE_QVTK QVTKOpenGLNativeWidget.h
+      HINTS ${directories} "${VTK_PREFIX_PATH}/include"
+      PATH_SUFFIXES "vtk-${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}")
     if (TEMPORAL_COHERENCE_QVTK)
       set(has_qt TRUE)
     endif ()

@@ -10,7 +10,9 @@
 #include <vtkNew.h>
 #include <vtkOverlappingAMR.h>
 #include <vtkSmartPointer.h>
+#include <vtkStructuredData.h>
 #include <vtkUniformGrid.h>
+#include <vtkVersionMacros.h>
 
 #include <glm/glm.hpp>
 
@@ -61,6 +63,15 @@ inline vtkSmartPointer<vtkOverlappingAMR> MakeAmr(
   const AmrTestLevels& levels, const AmrFunction& function)
 {
   const auto amr = vtkSmartPointer<vtkOverlappingAMR>::New();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  std::vector<unsigned int> counts;
+  for (const auto& boxes : levels.Boxes)
+  {
+    counts.push_back(static_cast<unsigned int>(boxes.size()));
+  }
+  amr->Initialize(counts);
+  amr->SetGridDescription(vtkStructuredData::VTK_STRUCTURED_XYZ_GRID);
+#else
   std::vector<int> counts;
   for (const auto& boxes : levels.Boxes)
   {
@@ -68,6 +79,7 @@ inline vtkSmartPointer<vtkOverlappingAMR> MakeAmr(
   }
   amr->Initialize(static_cast<int>(counts.size()), counts.data());
   amr->SetGridDescription(VTK_XYZ_GRID);
+#endif
   amr->SetOrigin(&levels.Origin.x);
   for (std::size_t l = 0; l < levels.Boxes.size(); ++l)
   {
@@ -100,6 +112,26 @@ inline vtkSmartPointer<vtkOverlappingAMR> MakeAmr(
     }
   }
   return amr;
+}
+
+/// The grid of a block of MakeAmr.
+inline vtkUniformGrid* GridAt(vtkOverlappingAMR* amr, unsigned int level, unsigned int block)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return vtkUniformGrid::SafeDownCast(amr->GetDataSetAsImageData(level, block));
+#else
+  return amr->GetDataSet(level, block);
+#endif
+}
+
+/// How many blocks a level has.
+inline unsigned int BlocksAt(vtkOverlappingAMR* amr, unsigned int level)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return amr->GetNumberOfBlocks(level);
+#else
+  return amr->GetNumberOfDataSets(level);
+#endif
 }
 
 /// Cut a box into blocks.

@@ -7,6 +7,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkVersionMacros.h>
 
 #include <array>
 #include <vector>
@@ -125,6 +126,15 @@ vtkSmartPointer<vtkUnstructuredGrid> Unstructured(vtkImageData* image, int cellT
   }
   grid->SetPoints(points);
   return grid;
+}
+
+vtkDataArray* TypesOf(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypes();
+#else
+  return grid->GetCellTypesArray();
+#endif
 }
 
 vtkSmartPointer<vtkStructuredGrid> Curvilinear(vtkImageData* image)

@@ -23,6 +23,9 @@ vtkSmartPointer<vtkPoints> PointsOf(vtkImageData* image, int type = VTK_DOUBLE);
 /// whose new points have the means. Arrays of cells are repeated.
 vtkSmartPointer<vtkUnstructuredGrid> Unstructured(vtkImageData* image, int cellType);
 
+/// The types of the cells of a grid, by the call that the version of VTK has for them.
+vtkDataArray* TypesOf(vtkUnstructuredGrid* grid);
+
 vtkSmartPointer<vtkStructuredGrid> Curvilinear(vtkImageData* image);
 vtkSmartPointer<vtkExplicitStructuredGrid> Explicit(vtkImageData* image);
 vtkSmartPointer<vtkRectilinearGrid> Rectilinear(vtkImageData* image);

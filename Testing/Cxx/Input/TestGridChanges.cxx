@@ -178,7 +178,7 @@ void TestMovedArrays()
   move(grid->GetCells()->GetOffsetsArray());
   turn();
   ExpectSetUp("moved offsets", scene, Mapper::MESH_BUILT);
-  move(grid->GetCellTypesArray());
+  move(VtkMeshes::TypesOf(grid));
   turn();
   ExpectSetUp("moved types", scene, Mapper::MESH_BUILT);
   turn();

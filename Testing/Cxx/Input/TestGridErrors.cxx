@@ -107,14 +107,14 @@ void TestCells()
   ExpectRefused("The input has 1 cell of type 200, which VTK does not know; leave it out",
     [](Grid& grid, Scene&)
     {
-      grid->GetCellTypesArray()->SetValue(5, 200);
-      grid->GetCellTypesArray()->Modified();
+      VtkMeshes::TypesOf(grid)->SetComponent(5, 0, 200);
+      VtkMeshes::TypesOf(grid)->Modified();
     });
   ExpectRefused("Cell 0 of the input has 4 points, which is not the number for its type 13",
     [](Grid& grid, Scene& scene)
     {
       grid = Balls(VTK_TETRA);
-      grid->GetCellTypesArray()->SetValue(0, VTK_WEDGE);
+      VtkMeshes::TypesOf(grid)->SetComponent(0, 0, VTK_WEDGE);
       scene.Mapper->SetInputData(grid);
     });
 }

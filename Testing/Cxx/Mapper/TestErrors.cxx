@@ -10,7 +10,6 @@
 #include "Scenes/Scene.h"
 #include "Volumes/Volumes.h"
 
-#include <vtkBitArray.h>
 #include <vtkCellData.h>
 #include <vtkContourValues.h>
 #include <vtkDoubleArray.h>
@@ -100,16 +99,6 @@ void TestInputs()
       vtkNew<vtkImageData> image;
       image->SetDimensions(20, 20, 20);
       image->GetPointData()->SetScalars(few);
-      scene.Mapper->SetInputData(image);
-    });
-  ExpectError("vtkBitArray",
-    [](Scene& scene)
-    {
-      vtkNew<vtkBitArray> bits;
-      bits->SetNumberOfTuples(8000);
-      vtkNew<vtkImageData> image;
-      image->SetDimensions(20, 20, 20);
-      image->GetPointData()->SetScalars(bits);
       scene.Mapper->SetInputData(image);
     });
   ExpectError("19 tuples, but the image has 6859 cells",

@@ -49,7 +49,7 @@ void TestOneLevel()
   const auto blocks = MakeAmr(levels, Waves);
   Expect(HasOneLevel(one) && HasOneLevel(blocks), "there is one level");
   vtkNew<vtkImageData> image;
-  image->ShallowCopy(one->GetDataSet(0, 0));
+  image->ShallowCopy(GridAt(one, 0, 0));
   Scene ofImage(image, { 60.0 });
   for (const auto& amr : { one, blocks })
   {
@@ -128,7 +128,7 @@ void TestRaysThroughCorners(Scene& scene, int ratio, const std::string& what)
 }
 
 /// Random lines through the faces of hexahedra that have corners on several levels.
-void TestLinesThroughFaces(Scene& scene, vtkUniformGridAMR* amr, int count, const std::string& what)
+void TestLinesThroughFaces(Scene& scene, vtkOverlappingAMR* amr, int count, const std::string& what)
 {
   ScalarChoice choice;
   choice.Mode = VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
@@ -228,9 +228,9 @@ void TestMissingCells()
   const auto blanked = MakeAmr(Nested(2), Waves);
   for (unsigned int level = 0; level < blanked->GetNumberOfLevels(); ++level)
   {
-    for (unsigned int block = 0; block < blanked->GetNumberOfDataSets(level); ++block)
+    for (unsigned int block = 0; block < BlocksAt(blanked, level); ++block)
     {
-      vtkUniformGrid* grid = blanked->GetDataSet(level, block);
+      vtkUniformGrid* grid = GridAt(blanked, level, block);
       for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
       {
         double bounds[6];

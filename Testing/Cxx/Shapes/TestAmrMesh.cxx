@@ -112,7 +112,7 @@ ScalarChoice Values()
   return choice;
 }
 
-MeshPart MeshOf(vtkUniformGridAMR* amr, const ScalarChoice& choice, const std::string& what)
+MeshPart MeshOf(vtkOverlappingAMR* amr, const ScalarChoice& choice, const std::string& what)
 {
   std::vector<MeshPart> parts;
   std::string error;
@@ -222,7 +222,7 @@ void TestHidden()
   levels.Ratios = { 2 };
   const auto amr = MakeAmr(levels, Function);
   const MeshPart whole = MeshOf(amr, Values(), "whole");
-  vtkUniformGrid* fine = amr->GetDataSet(1, 0);
+  vtkUniformGrid* fine = GridAt(amr, 1, 0);
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfValues(fine->GetNumberOfCells());
@@ -242,7 +242,7 @@ void TestPulse()
   vtkOverlappingAMR* amr = source->GetOutput();
   Expect(!HasOneLevel(amr), "VTK's source has levels");
   ScalarChoice choice = Values();
-  choice.Name = amr->GetDataSet(0, 0)->GetCellData()->GetArray(0)->GetName();
+  choice.Name = GridAt(amr, 0, 0)->GetCellData()->GetArray(0)->GetName();
   const MeshPart part = MeshOf(amr, choice, "VTK's source");
   std::cout << "VTK's source: " << part.NumberOfCells << " hexahedra, " << part.NumberOfPoints
             << " cells\n";
@@ -256,7 +256,7 @@ void TestPulse()
   Expect(part.NumberOfCells > 100 && least > 0.0, "VTK's source: none is inside out");
 }
 
-void ExpectError(vtkUniformGridAMR* amr, const ScalarChoice& choice, const std::string& part)
+void ExpectError(vtkOverlappingAMR* amr, const ScalarChoice& choice, const std::string& part)
 {
   std::vector<MeshPart> parts;
   std::string error;
@@ -274,7 +274,7 @@ void TestErrors()
   other.Name = "nothing";
   ExpectError(amr, other, "nothing");
 
-  vtkUniformGrid* fine = amr->GetDataSet(1, 0);
+  vtkUniformGrid* fine = GridAt(amr, 1, 0);
   fine->SetOrigin(1.1, 1.0, 1.0);
   ExpectError(amr, Values(), "begins at 1.1");
   fine->SetOrigin(1.0, 1.0, 1.0);

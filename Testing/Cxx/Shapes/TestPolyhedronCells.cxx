@@ -9,6 +9,7 @@
 #include "CurvedGrids.h"
 #include "LinearCells.h"
 #include "Shapes/SubdividedCells.h"
+#include "Volumes/VtkMeshes.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellTypeSource.h>
@@ -374,7 +375,7 @@ void TestWrongFaces()
 void TestWithoutFaces()
 {
   const Grid grid = WithCell(VTK_HEXAHEDRON, { 0, 1, 4, 3, 9, 10, 13, 12 });
-  grid->GetCellTypesArray()->SetValue(5, VTK_POLYHEDRON);
+  VtkMeshes::TypesOf(grid)->SetComponent(5, 0, VTK_POLYHEDRON);
   ExpectError(grid.Get(), "Cell 5 of the input is a VTK_POLYHEDRON without faces; give them");
 }
 

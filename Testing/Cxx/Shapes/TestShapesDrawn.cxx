@@ -96,7 +96,7 @@ void TestLevels()
   Expect(amr.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT, "levels: built");
   amr.Renderer->GetActiveCamera()->Azimuth(10.0);
   Expect(amr.Render(50, 50) && amr.Mapper->GetMeshSetUp() == Mapper::MESH_KEPT, "levels: kept");
-  vtkDataArray* values = grid->GetDataSet(1, 0)->GetCellData()->GetScalars();
+  vtkDataArray* values = GridAt(grid, 1, 0)->GetCellData()->GetScalars();
   values->SetComponent(3, 0, 9.0);
   values->Modified();
   Expect(amr.Render(50, 50) && amr.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT, "levels: changed");

@@ -55,8 +55,8 @@ enum class MeshCellType : std::uint8_t
 
 /// Cells that share points: the arrays of one data set. The order of the points of a cell is VTK's.
 ///
-/// If Dimensions is 0, cell c has the points Connectivity[Offsets[c]] up to
-/// Connectivity[Offsets[c + 1] - 1]. Otherwise the cells are the hexahedra between the points of a
+/// If Dimensions is 0, cell c has the points Connectivity[OffsetOf(c)] up to
+/// Connectivity[OffsetOf(c + 1) - 1]. Otherwise the cells are the hexahedra between the points of a
 /// curvilinear grid, and there is no connectivity.
 struct MeshPart
 {
@@ -66,9 +66,11 @@ struct MeshPart
   MeshArray Values;                     ///< one for each point
 
   const std::uint8_t* Types = nullptr; ///< MeshCellType of each cell; null: all are hexahedra
-  MeshArray Offsets, Connectivity;     ///< integers of 32 or 64 bits
-  std::int64_t ConnectivitySize = 0;   ///< numbers in Connectivity, so that offsets can be checked
-  glm::ivec3 Dimensions{ 0 };          ///< points along each axis
+  std::int64_t TypeStep = 1;         ///< from cell to cell; 0: the first type is that of all cells
+  MeshArray Offsets, Connectivity;   ///< integers of 32 or 64 bits
+  std::int64_t PointsOfEach = 0;     ///< ids of every cell; 0: Offsets tell how many each cell has
+  std::int64_t ConnectivitySize = 0; ///< numbers in Connectivity, so that offsets can be checked
+  glm::ivec3 Dimensions{ 0 };        ///< points along each axis
 
   const std::uint8_t* Flags = nullptr; ///< of each cell; null: no cell is hidden
   std::uint8_t HidingFlags = 0;        ///< a cell with any of these bits is hidden
@@ -77,6 +79,19 @@ struct MeshPart
 
   /// Keeps arrays that were made for this part; null if all belong to somebody else.
   std::shared_ptr<const void> Owner;
+
+  /// VTK's number for the type of a cell of a list.
+  std::uint8_t TypeOf(std::int64_t cell) const
+  {
+    return this->Types ? this->Types[cell * this->TypeStep]
+                       : static_cast<std::uint8_t>(MeshCellType::Hexahedron);
+  }
+
+  /// Where the points of a cell of a list begin in Connectivity.
+  std::int64_t OffsetOf(std::int64_t cell) const
+  {
+    return this->PointsOfEach != 0 ? cell * this->PointsOfEach : this->Offsets.IdAt(cell);
+  }
 };
 
 /// An irregular field: cells of any shape with a value at each point. Cells are numbered through

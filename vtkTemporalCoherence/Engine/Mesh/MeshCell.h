@@ -77,7 +77,7 @@ MeshCellPoints PointsInOrder(const MeshPart& part, std::int64_t cell, const IdAt
       points.Ids[i] = idAt(order[i]);
     }
   };
-  switch (part.Types ? static_cast<MeshCellType>(part.Types[cell]) : MeshCellType::Hexahedron)
+  switch (static_cast<MeshCellType>(part.TypeOf(cell)))
   {
     case MeshCellType::Tetrahedron:
       points.Shape = MeshCellShape::Tetrahedron;
@@ -126,7 +126,7 @@ inline MeshCellPoints PointsOf(const MeshPart& part, std::int64_t cell)
   {
     return PointsInGrid(part.Dimensions, cell);
   }
-  const std::int64_t first = part.Offsets.IdAt(cell);
+  const std::int64_t first = part.OffsetOf(cell);
   return PointsInOrder(
     part, cell, [&](std::int64_t i) { return part.Connectivity.IdAt(first + i); });
 }

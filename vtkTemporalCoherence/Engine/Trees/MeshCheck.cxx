@@ -22,7 +22,7 @@ constexpr std::int64_t MostCells = (std::int64_t(1) << 32) - 2;
 /// How many points a cell of a type has; 0 for types without volume.
 std::int64_t PointsOfType(const MeshPart& part, std::int64_t cell)
 {
-  switch (part.Types ? static_cast<MeshCellType>(part.Types[cell]) : MeshCellType::Hexahedron)
+  switch (static_cast<MeshCellType>(part.TypeOf(cell)))
   {
     case MeshCellType::Tetrahedron:
       return 4;
@@ -40,7 +40,7 @@ std::int64_t PointsOfType(const MeshPart& part, std::int64_t cell)
 /// Check how many points a cell of a list has.
 MeshDefect CheckOffsets(const MeshPart& part, std::int64_t cell)
 {
-  const std::int64_t begin = part.Offsets.IdAt(cell), end = part.Offsets.IdAt(cell + 1);
+  const std::int64_t begin = part.OffsetOf(cell), end = part.OffsetOf(cell + 1);
   if (begin < 0 || end < begin || end > part.ConnectivitySize)
   {
     return MeshDefect::OffsetsNotAscending;

@@ -193,7 +193,8 @@ public:
   static MeshCellPoints FindPoints(const MeshPart& part, std::int64_t cell)
   {
     const ScalarType type = part.Connectivity.Type;
-    if (part.Dimensions.x > 0 || part.Offsets.Type != type)
+    const bool areOffsetsOther = part.PointsOfEach == 0 && part.Offsets.Type != type;
+    if (part.Dimensions.x > 0 || areOffsetsOther)
     {
       return PointsOf(part, cell);
     }
@@ -290,10 +291,13 @@ private:
   {
     if (part.Dimensions.x == 0)
     {
-      Prefetch(part.Offsets, inPart);
+      if (part.PointsOfEach == 0)
+      {
+        Prefetch(part.Offsets, inPart);
+      }
       if (part.Types)
       {
-        hwy::Prefetch(part.Types + inPart);
+        hwy::Prefetch(part.Types + inPart * part.TypeStep);
       }
     }
   }
@@ -302,7 +306,7 @@ private:
   {
     if (part.Dimensions.x == 0)
     {
-      Prefetch(part.Connectivity, part.Offsets.IdAt(inPart));
+      Prefetch(part.Connectivity, part.OffsetOf(inPart));
     }
   }
 
@@ -333,8 +337,9 @@ private:
   template <typename Id>
   static MeshCellPoints FindPoints(const MeshPart& part, std::int64_t cell)
   {
-    const std::int64_t offset =
-      static_cast<const Id*>(part.Offsets.First)[cell * part.Offsets.Step];
+    const std::int64_t offset = part.PointsOfEach != 0
+      ? cell * part.PointsOfEach
+      : static_cast<const Id*>(part.Offsets.First)[cell * part.Offsets.Step];
     const std::int64_t step = part.Connectivity.Step;
     const Id* const first = static_cast<const Id*>(part.Connectivity.First) + offset * step;
     return PointsInOrder(

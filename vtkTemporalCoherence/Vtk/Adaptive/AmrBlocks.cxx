@@ -8,8 +8,6 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkMatrix3x3.h>
-#include <vtkUniformGrid.h>
-#include <vtkUniformGridAMR.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,20 +31,13 @@ std::string NumberText(double number)
   return text.str();
 }
 
-/// The grid of a block; null if it has no cells.
-vtkUniformGrid* GridOf(vtkUniformGridAMR* amr, unsigned int level, unsigned int index)
-{
-  vtkUniformGrid* grid = amr->GetDataSet(level, index);
-  return grid && grid->GetNumberOfPoints() > 0 ? grid : nullptr;
-}
-
-glm::dvec3 SpacingOf(vtkUniformGrid* grid)
+glm::dvec3 SpacingOf(vtkImageData* grid)
 {
   return { grid->GetSpacing()[0], grid->GetSpacing()[1], grid->GetSpacing()[2] };
 }
 
 /// The corner with the lowest coordinates, whatever the extent begins with.
-glm::dvec3 CornerOf(vtkUniformGrid* grid)
+glm::dvec3 CornerOf(vtkImageData* grid)
 {
   const int* extent = grid->GetExtent();
   glm::dvec3 corner;
@@ -79,13 +70,12 @@ bool HasArray(AmrBlock& block, const ScalarChoice& choice, std::string& error)
 }
 
 /// The blocks with the array, the finest ones first. Their cells are not known yet.
-bool FindBlocks(
-  vtkUniformGridAMR* amr, const ScalarChoice& choice, AmrBlocks& found, std::string& error)
+bool FindBlocks(AdaptiveGrid* amr, const ScalarChoice& choice, AmrBlocks& found, std::string& error)
 {
   for (unsigned int level = amr->GetNumberOfLevels(); level-- > 0;)
   {
     const std::size_t before = found.Blocks.size();
-    for (unsigned int index = 0; index < amr->GetNumberOfDataSets(level); ++index)
+    for (unsigned int index = 0; index < CountBlocks(amr, level); ++index)
     {
       AmrBlock block;
       block.Grid = GridOf(amr, level, index);
@@ -189,7 +179,7 @@ bool FitBlock(const AmrBlocks& found, AmrBlock& block, std::string& error)
 }
 
 bool FindAmrBlocks(
-  vtkUniformGridAMR* amr, const ScalarChoice& choice, AmrBlocks& found, std::string& error)
+  AdaptiveGrid* amr, const ScalarChoice& choice, AmrBlocks& found, std::string& error)
 {
   if (!FindBlocks(amr, choice, found, error) || !FitLevels(found, error))
   {

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_AmrBlocks_h
 #define TemporalCoherence_AmrBlocks_h
 
+#include "Adaptive/AmrGrids.h"
 #include "Input/ScalarChoice.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -15,8 +16,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
-class vtkUniformGrid;
-class vtkUniformGridAMR;
 VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
@@ -43,8 +42,8 @@ inline bool IsEmpty(const AmrBox& box)
 /// A block of an adaptive grid.
 struct AmrBlock
 {
-  vtkUniformGrid* Grid = nullptr; ///< not owned
-  vtkDataArray* Array = nullptr;  ///< a tuple for each cell
+  vtkImageData* Grid = nullptr;  ///< not owned
+  vtkDataArray* Array = nullptr; ///< a tuple for each cell
   std::size_t Level = 0;
   AmrBox Cells;                         ///< on the lattice of the level
   AmrBox Finest;                        ///< the same on the finest lattice
@@ -83,7 +82,7 @@ struct AmrBlocks
 /// \return false on error
 /// \throws std::bad_alloc
 bool FindAmrBlocks(
-  vtkUniformGridAMR* amr, const ScalarChoice& choice, AmrBlocks& found, std::string& error);
+  AdaptiveGrid* amr, const ScalarChoice& choice, AmrBlocks& found, std::string& error);
 
 }
 

@@ -9,8 +9,6 @@
 
 #include <vtkDataArray.h>
 #include <vtkSMPTools.h>
-#include <vtkUniformGrid.h>
-#include <vtkUniformGridAMR.h>
 
 #include <algorithm>
 #include <memory>
@@ -180,29 +178,13 @@ std::size_t MemoryOfNumbers(const AmrBlocks& blocks)
   return cells * sizeof(std::int32_t);
 }
 
-template <typename Action>
-void ForGrids(vtkUniformGridAMR* amr, const Action& action)
-{
-  for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
-  {
-    for (unsigned int index = 0; index < amr->GetNumberOfDataSets(level); ++index)
-    {
-      vtkUniformGrid* grid = amr->GetDataSet(level, index);
-      if (grid && grid->GetNumberOfPoints() > 0)
-      {
-        action(level, grid);
-      }
-    }
-  }
 }
 
-}
-
-bool HasOneLevel(vtkUniformGridAMR* amr)
+bool HasOneLevel(AdaptiveGrid* amr)
 {
   unsigned int lowest = ~0u, highest = 0;
-  ForGrids(amr,
-    [&](unsigned int level, vtkUniformGrid*)
+  ForEachGrid(amr,
+    [&](unsigned int level, vtkImageData*)
     {
       lowest = std::min(lowest, level);
       highest = std::max(highest, level);
@@ -210,16 +192,15 @@ bool HasOneLevel(vtkUniformGridAMR* amr)
   return lowest >= highest;
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkUniformGridAMR* amr)
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(AdaptiveGrid* amr)
 {
   const auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  ForGrids(amr,
-    [&](unsigned int, vtkUniformGrid* grid)
-    { blocks->SetBlock(blocks->GetNumberOfBlocks(), grid); });
+  ForEachGrid(amr,
+    [&](unsigned int, vtkImageData* grid) { blocks->SetBlock(blocks->GetNumberOfBlocks(), grid); });
   return blocks;
 }
 
-bool AppendAmrMesh(vtkUniformGridAMR* amr, const ScalarChoice& choice, int component,
+bool AppendAmrMesh(AdaptiveGrid* amr, const ScalarChoice& choice, int component,
   std::vector<MeshPart>& parts, std::string& error, MakingBudget* budget)
 {
   MakingBudget unlimited;

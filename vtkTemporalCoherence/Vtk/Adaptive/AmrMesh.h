@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_AmrMesh_h
 #define TemporalCoherence_AmrMesh_h
 
+#include "Adaptive/AmrGrids.h"
 #include "Input/ScalarChoice.h"
 #include "Mesh/Mesh.h"
 #include "Shapes/MadeCells.h"
@@ -14,19 +15,15 @@
 #include <string>
 #include <vector>
 
-VTK_ABI_NAMESPACE_BEGIN
-class vtkUniformGridAMR;
-VTK_ABI_NAMESPACE_END
-
 namespace TemporalCoherence
 {
 
 /// True if no more than one level of an adaptive grid has cells: then it is drawn as blocks of one
 /// lattice (MergedBlocks).
-bool HasOneLevel(vtkUniformGridAMR* amr);
+bool HasOneLevel(AdaptiveGrid* amr);
 
 /// The blocks of all levels. They are the same objects, not copies.
-vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkUniformGridAMR* amr);
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(AdaptiveGrid* amr);
 
 /// Make hexahedra between the values of cells of an adaptive grid, which lie at the centres of the
 /// cells.
@@ -42,7 +39,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkUniformGridAMR* amr);
 ///              it was stopped
 /// \return false on error
 /// \throws std::bad_alloc
-bool AppendAmrMesh(vtkUniformGridAMR* amr, const ScalarChoice& choice, int component,
+bool AppendAmrMesh(AdaptiveGrid* amr, const ScalarChoice& choice, int component,
   std::vector<MeshPart>& parts, std::string& error, MakingBudget* budget = nullptr);
 
 }

@@ -8,18 +8,30 @@
 #include <vtkCellType.h>
 #include <vtkGenericCell.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkVersionMacros.h>
 
 #include <algorithm>
 
 namespace TemporalCoherence
 {
 
-TypeCounts CountTypes(const std::uint8_t* types, std::int64_t cells)
+vtkDataArray* TypesOf(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypes();
+#else
+  return grid->GetCellTypesArray();
+#endif
+}
+
+TypeCounts CountTypes(const MeshPart& part)
 {
   TypeCounts counts{};
-  for (std::int64_t cell = 0; cell < cells; ++cell)
+  for (std::int64_t cell = 0; cell < part.NumberOfCells; ++cell)
   {
-    ++counts[types[cell]];
+    ++counts[part.TypeOf(cell)];
   }
   return counts;
 }
@@ -34,16 +46,26 @@ int DimensionOfType(int type)
   return cell ? cell->GetCellDimension() : -1;
 }
 
-bool HaveVolume(const std::uint8_t* types, std::int64_t cells)
+bool HaveVolume(vtkDataArray* types)
 {
   std::array<bool, 256> isFlat{}; // and has been seen
-  return std::any_of(types, types + cells,
-    [&](std::uint8_t type)
-    {
-      const int dimension = isFlat[type] ? 0 : DimensionOfType(type);
-      isFlat[type] = dimension >= 0 && dimension < 3;
-      return !isFlat[type];
-    });
+  const auto hasVolume = [&](std::uint8_t type)
+  {
+    const int dimension = isFlat[type] ? 0 : DimensionOfType(type);
+    isFlat[type] = dimension >= 0 && dimension < 3;
+    return !isFlat[type];
+  };
+  const vtkIdType cells = types->GetNumberOfValues();
+  if (auto* const inMemory = vtkUnsignedCharArray::SafeDownCast(types))
+  {
+    return std::any_of(inMemory->GetPointer(0), inMemory->GetPointer(0) + cells, hasVolume);
+  }
+  vtkIdType cell = 0;
+  while (cell < cells && !hasVolume(static_cast<std::uint8_t>(types->GetComponent(cell, 0))))
+  {
+    ++cell;
+  }
+  return cell < cells;
 }
 
 bool IsLinear(int type)

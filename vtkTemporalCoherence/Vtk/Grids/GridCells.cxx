@@ -17,6 +17,11 @@
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVersionMacros.h>
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#include <vtkAffineArray.h>
+#include <vtkConstantArray.h>
+#endif
 
 #include <algorithm>
 #include <sstream>
@@ -31,27 +36,72 @@ constexpr std::uint8_t NotToBeShown = vtkDataSetAttributes::HIDDENCELL |
 
 constexpr std::int64_t CellGrain = 1 << 14;
 
-/// Find integers of 32 or 64 bits.
-bool FindIds(
-  const GridLeaf& leaf, vtkDataArray* array, const char* what, MeshArray& ids, std::string& error)
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+
+template <typename Id>
+std::int64_t SlopeFromZero(vtkDataArray* offsets)
 {
-  ArraySamples samples;
-  if (!FindSamples(array, 0, samples, error))
-  {
-    return false;
-  }
-  if (array->GetNumberOfComponents() != 1 ||
-    (samples.Type != ScalarType::Int32 && samples.Type != ScalarType::Int64))
+  auto* const affine = vtkAffineArray<Id>::FastDownCast(offsets);
+  const auto line = affine ? affine->GetBackend() : nullptr;
+  return line && line->Intercept == 0 && line->Slope > 0 ? line->Slope : 0;
+}
+
+/// The number of points of every cell of an array with fixed-size storage, otherwise 0.
+std::int64_t PointsOfEachCell(vtkCellArray* cells)
+{
+  vtkDataArray* const offsets = cells->GetOffsetsArray();
+  const std::int64_t points = SlopeFromZero<vtkTypeInt32>(offsets);
+  return points != 0 ? points : SlopeFromZero<vtkTypeInt64>(offsets);
+}
+
+/// The type that all cells have, in a constant array; null if types are in another one.
+const std::uint8_t* ConstantType(vtkDataArray* types)
+{
+  auto* const constant = vtkConstantArray<unsigned char>::FastDownCast(types);
+  const auto backend = constant ? constant->GetBackend() : nullptr;
+  return backend ? &backend->Value : nullptr;
+}
+
+#else
+
+std::int64_t PointsOfEachCell(vtkCellArray*)
+{
+  return 0;
+}
+
+const std::uint8_t* ConstantType(vtkDataArray*)
+{
+  return nullptr;
+}
+
+#endif
+
+/// Find integers of 32 or 64 bits: in place, or in a copy of those that VTK computes, and of those
+/// of other sizes.
+bool FindIds(const GridLeaf& leaf, vtkDataArray* array, const char* what, MeshArray& ids,
+  ArrayCopies& copies, std::string& error)
+{
+  const int type = array->GetDataType();
+  if (array->GetNumberOfComponents() != 1 || type == VTK_FLOAT || type == VTK_DOUBLE)
   {
     error = leaf.Name + " has cells with " + what + " in a " + array->GetClassName() +
       "; give vtkCellArray integers of 32 or 64 bits, for example with ConvertTo64BitStorage.";
     return false;
   }
+  const auto isTaken = [](const ArraySamples& found)
+  { return found.Type == ScalarType::Int32 || found.Type == ScalarType::Int64; };
+  if (!AreInPlace(array) || !isTaken(SamplesOf(array, 0)))
+  {
+    copies.push_back(CopyInPlace(array, VTK_TYPE_INT64));
+    array = copies.back();
+  }
+  const ArraySamples samples = SamplesOf(array, 0);
   ids = { samples.First, samples.Type, samples.Step };
   return true;
 }
 
-bool SetConnectivity(const GridLeaf& leaf, vtkCellArray* cells, MeshPart& part, std::string& error)
+bool SetConnectivity(const GridLeaf& leaf, vtkCellArray* cells, MeshPart& part, ArrayCopies& copies,
+  std::string& error)
 {
   part.ConnectivitySize = cells->GetConnectivityArray()->GetNumberOfValues();
   if (cells->GetNumberOfCells() < part.NumberOfCells)
@@ -60,8 +110,27 @@ bool SetConnectivity(const GridLeaf& leaf, vtkCellArray* cells, MeshPart& part, 
       std::to_string(cells->GetNumberOfCells()) + "; give it a vtkCellArray with all of them.";
     return false;
   }
-  return FindIds(leaf, cells->GetOffsetsArray(), "offsets", part.Offsets, error) &&
-    FindIds(leaf, cells->GetConnectivityArray(), "point ids", part.Connectivity, error);
+  part.PointsOfEach = PointsOfEachCell(cells);
+  return (part.PointsOfEach != 0 ||
+           FindIds(leaf, cells->GetOffsetsArray(), "offsets", part.Offsets, copies, error)) &&
+    FindIds(leaf, cells->GetConnectivityArray(), "point ids", part.Connectivity, copies, error);
+}
+
+/// Find the types of cells: in place, or in a copy of those that VTK computes.
+void FindTypes(vtkDataArray* types, MeshPart& part, ArrayCopies& copies)
+{
+  part.Types = ConstantType(types);
+  part.TypeStep = part.Types ? 0 : 1;
+  if (!part.Types)
+  {
+    auto* inMemory = vtkUnsignedCharArray::SafeDownCast(types);
+    if (!inMemory)
+    {
+      copies.push_back(CopyInPlace(types, VTK_UNSIGNED_CHAR));
+      inMemory = vtkUnsignedCharArray::SafeDownCast(copies.back());
+    }
+    part.Types = inMemory->GetPointer(0);
+  }
 }
 
 /// That a data set has cells of a type, for a message.
@@ -71,10 +140,10 @@ std::string TextOfType(const GridLeaf& leaf, std::size_t type, std::int64_t coun
     " of type " + std::to_string(type) + ", which ";
 }
 
-bool SetTypes(vtkUnstructuredGrid* grid, const GridLeaf& leaf, MeshPart& part, CellCensus& census,
-  std::string& error)
+bool SetTypes(vtkUnstructuredGrid* grid, const GridLeaf& leaf, MeshPart& part, ArrayCopies& copies,
+  CellCensus& census, std::string& error)
 {
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  vtkDataArray* types = TypesOf(grid);
   if (!types || types->GetNumberOfValues() < part.NumberOfCells)
   {
     error = leaf.Name + " has " + std::to_string(part.NumberOfCells) + " cells, but types of " +
@@ -82,8 +151,8 @@ bool SetTypes(vtkUnstructuredGrid* grid, const GridLeaf& leaf, MeshPart& part, C
       "; give SetCells one type for each cell.";
     return false;
   }
-  part.Types = types->GetPointer(0);
-  const TypeCounts counts = CountTypes(part.Types, part.NumberOfCells);
+  FindTypes(types, part, copies);
+  const TypeCounts counts = CountTypes(part);
   for (std::size_t type = 0; type < counts.size(); ++type)
   {
     if (counts[type] == 0)
@@ -192,7 +261,7 @@ void NoteCells(const GridLeaf& leaf, MadeFrom& from)
   }
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data))
   {
-    from.Add(grid->GetCellTypesArray());
+    from.Add(TypesOf(grid));
     for (const auto& [array, time] : FaceArraysOf(grid))
     {
       from.Add(array, time);
@@ -205,19 +274,20 @@ void NoteCells(const GridLeaf& leaf, MadeFrom& from)
 }
 
 bool SetCells(const GridLeaf& leaf, const std::vector<std::uint8_t>& missing, MeshPart& part,
-  MadeFlags& made, CellCensus& census, std::string& error)
+  MadeFlags& made, ArrayCopies& copies, CellCensus& census, std::string& error)
 {
   census = CellCensus();
+  copies.clear();
   part.NumberOfPoints = leaf.Data->GetNumberOfPoints();
   part.NumberOfCells = leaf.Data->GetNumberOfCells();
   vtkCellArray* cells = CellsOf(leaf.Data);
-  if (cells && !SetConnectivity(leaf, cells, part, error))
+  if (cells && !SetConnectivity(leaf, cells, part, copies, error))
   {
     return false;
   }
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data))
   {
-    if (!SetTypes(grid, leaf, part, census, error))
+    if (!SetTypes(grid, leaf, part, copies, census, error))
     {
       return false;
     }

@@ -7,6 +7,9 @@
 #include "Grids/MadeFrom.h"
 #include "Mesh/Mesh.h"
 
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,17 +26,27 @@ struct CellCensus
 /// The flags of cells that were made, as the data set's own do not serve; null if these do.
 using MadeFlags = std::shared_ptr<const std::vector<std::uint8_t>>;
 
+/// Arrays of cells that were copied, as their numbers do not lie in memory as they are read.
+using ArrayCopies = std::vector<vtkSmartPointer<vtkDataArray>>;
+
 /// Note everything that tells which cells a data set has and which are hidden.
 void NoteCells(const GridLeaf& leaf, MadeFrom& from);
 
-/// Set the cells of a part, in place, and which of them are hidden. Ghost arrays of cells hide
-/// those that are flagged as hidden, refined or duplicate, and ghost arrays of points the cells
-/// around a hidden point. Missing cells are hidden, too. Cells that are no tetrahedra, voxels,
-/// hexahedra, wedges or pyramids are left out. \param missing see MissingCells.h \param made   gets
-/// the flags if they had to be made \param census gets what there is \param error  gets what is
-/// wrong and what to do about it \return false on error \throws std::bad_alloc
+/// Set the cells of a part, and which of them are hidden. Points and types of cells are read in
+/// place where they lie in memory, also if all cells have one type or the same number of points.
+/// Ghost arrays of cells hide those that are flagged as hidden, refined or duplicate, and ghost
+/// arrays of points the cells around a hidden point. Missing cells are hidden, too. Cells that are
+/// no tetrahedra, voxels, hexahedra, wedges or pyramids are left out.
+///
+/// \param missing see MissingCells.h
+/// \param made    gets the flags if they had to be made
+/// \param copies  gets the arrays that had to be copied; the part reads them
+/// \param census  gets what there is
+/// \param error   gets what is wrong and what to do about it
+/// \return false on error
+/// \throws std::bad_alloc
 bool SetCells(const GridLeaf& leaf, const std::vector<std::uint8_t>& missing, MeshPart& part,
-  MadeFlags& made, CellCensus& census, std::string& error);
+  MadeFlags& made, ArrayCopies& copies, CellCensus& census, std::string& error);
 
 }
 

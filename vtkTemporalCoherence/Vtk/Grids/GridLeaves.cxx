@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/GridLeaves.h"
 
+#include "Adaptive/AmrGrids.h"
 #include "Grids/CellTypes.h"
 #include "Grids/GridShape.h"
 #include "Input/BlockName.h"
@@ -15,8 +16,6 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkSmartPointer.h>
 #include <vtkStructuredGrid.h>
-#include <vtkUniformGridAMR.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -48,8 +47,8 @@ bool MayHaveVolume(vtkDataSet* data)
   }
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    vtkUnsignedCharArray* types = grid->GetCellTypesArray();
-    return !types || HaveVolume(types->GetPointer(0), types->GetNumberOfValues());
+    vtkDataArray* types = TypesOf(grid);
+    return !types || HaveVolume(types);
   }
   if (vtkExplicitStructuredGrid::SafeDownCast(data))
   {
@@ -104,10 +103,14 @@ bool FindDataSets(vtkDataObject* data, std::vector<GridLeaf>& leaves, std::strin
 
 bool IsMesh(vtkDataObject* data)
 {
+  if (AdaptiveGrid::SafeDownCast(data)) // since VTK 9.6 it is a tree, too
+  {
+    return true;
+  }
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
   if (!tree)
   {
-    return IsIrregular(data) || vtkUniformGridAMR::SafeDownCast(data);
+    return IsIrregular(data);
   }
   const auto leaf = LeavesOf(tree);
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())

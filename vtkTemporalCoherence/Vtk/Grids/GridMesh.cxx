@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/GridMesh.h"
 
+#include "Adaptive/AmrGrids.h"
 #include "Adaptive/AmrMesh.h"
-#include "Grids/AmrGrids.h"
 #include "Grids/MissingCells.h"
 #include "Grids/SameCells.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <vtkDataSet.h>
 #include <vtkPointData.h>
-#include <vtkUniformGrid.h>
-#include <vtkUniformGridAMR.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -152,7 +150,8 @@ bool GridMesh::SeeLeaf(const GridLeaf& leaf, const DrawnComponent& component, Le
     std::vector<std::uint8_t> missing = std::move(made.Missing);
     made = LeafPart();
     made.Missing = std::move(missing);
-    if (!SetCells(leaf, made.Missing, made.Part, made.Made.Flags, made.Census, error))
+    if (!SetCells(
+          leaf, made.Missing, made.Part, made.Made.Flags, made.Made.Cells, made.Census, error))
     {
       return false;
     }
@@ -239,15 +238,15 @@ void GridMesh::Stamp(Mesh& mesh)
   mesh.ValueStamp = this->ValueStamp;
 }
 
-bool GridMesh::See(vtkUniformGridAMR* amr, const ScalarChoice& choice,
-  const DrawnComponent& component, MakingBudget& budget, std::string& error)
+bool GridMesh::See(AdaptiveGrid* amr, const ScalarChoice& choice, const DrawnComponent& component,
+  MakingBudget& budget, std::string& error)
 {
   Provenance now;
   now.Cells.Add(amr);
   now.Cells.Add(choice.Mode);
   now.Cells.Add(component.IsMagnitude ? -1.0 : component.Number);
   ForEachGrid(amr,
-    [&](vtkUniformGrid* grid)
+    [&](unsigned int, vtkImageData* grid)
     {
       const ChosenScalars scalars = FindScalars(grid, choice);
       now.Cells.Add(scalars.Array, grid->GetMTime());
@@ -296,6 +295,10 @@ std::size_t GridMesh::MemoryOf(const LeafPart& made)
   bytes += made.AreValuesMade
     ? static_cast<std::size_t>(made.Made.Values.Array->GetActualMemorySize()) << 10
     : 0;
+  for (vtkDataArray* copy : made.Made.Cells)
+  {
+    bytes += static_cast<std::size_t>(copy->GetActualMemorySize()) << 10;
+  }
   for (const MeshPart& other : made.Others)
   {
     bytes += MemoryOf(other);

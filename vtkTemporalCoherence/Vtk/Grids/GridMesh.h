@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_GridMesh_h
 #define TemporalCoherence_GridMesh_h
 
+#include "Adaptive/AmrGrids.h"
 #include "Grids/CellOrigins.h"
 #include "Grids/GridCells.h"
 #include "Grids/GridLeaves.h"
@@ -17,10 +18,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
-VTK_ABI_NAMESPACE_BEGIN
-class vtkUniformGridAMR;
-VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {
@@ -40,7 +37,7 @@ public:
 
   /// The same of an adaptive grid with several levels. Its cells are made of those of the grid, and
   /// have no origins.
-  bool See(vtkUniformGridAMR* amr, const ScalarChoice& choice, const DrawnComponent& component,
+  bool See(AdaptiveGrid* amr, const ScalarChoice& choice, const DrawnComponent& component,
     MakingBudget& budget, std::string& error);
 
   /// The mesh, another one after each change; null if there is none.
@@ -62,6 +59,7 @@ private:
   struct Makings
   {
     MadeFlags Flags;
+    ArrayCopies Cells;
     MadePoints Points;
     PointValues Values;
   };

@@ -12,8 +12,11 @@
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkRectilinearGrid.h>
+#include <vtkSmartPointer.h>
 
 #include <array>
+#include <memory>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -39,6 +42,28 @@ MadePoints MakePoints(const glm::ivec3& dimensions, const Place& place)
       }
     });
   return made;
+}
+
+MadePoints CopiedPoints(vtkDataArray* points)
+{
+  const vtkSmartPointer<vtkDataArray> copy = CopyInPlace(points);
+  const auto made = std::make_shared<std::vector<double>>();
+  made->reserve(3 * static_cast<std::size_t>(copy->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < copy->GetNumberOfTuples(); ++i)
+  {
+    const double* const point = copy->GetTuple3(i);
+    made->insert(made->end(), point, point + 3);
+  }
+  return made;
+}
+
+void SetMadePoints(const std::vector<double>& made, MeshPart& part)
+{
+  part.NumberOfPoints = static_cast<std::int64_t>(made.size() / 3);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    part.Coordinates[axis] = { made.data() + axis, ScalarType::Float64, 3 };
+  }
 }
 
 std::array<vtkDataArray*, 3> CoordinatesOf(vtkRectilinearGrid* grid)
@@ -102,7 +127,8 @@ bool HasItsPoints(const GridLeaf& leaf, std::int64_t count, std::string& error)
   return false;
 }
 
-bool SetPointsInPlace(const GridLeaf& leaf, MeshPart& part, std::string& error)
+/// Points in place, unless VTK computes them.
+bool SetPointsOfSet(const GridLeaf& leaf, MeshPart& part, MadePoints& made, std::string& error)
 {
   auto* set = vtkPointSet::SafeDownCast(leaf.Data);
   vtkDataArray* points = set && set->GetPoints() ? set->GetPoints()->GetData() : nullptr;
@@ -111,13 +137,15 @@ bool SetPointsInPlace(const GridLeaf& leaf, MeshPart& part, std::string& error)
   {
     return false;
   }
+  if (points && !AreInPlace(points))
+  {
+    made = CopiedPoints(points);
+    SetMadePoints(*made, part);
+    return true;
+  }
   for (std::size_t axis = 0; axis < 3 && points; ++axis)
   {
-    ArraySamples samples;
-    if (!FindSamples(points, static_cast<int>(axis), samples, error))
-    {
-      return false;
-    }
+    const ArraySamples samples = SamplesOf(points, static_cast<int>(axis));
     part.Coordinates[axis] = { samples.First, samples.Type, samples.Step };
   }
   return true;
@@ -169,13 +197,9 @@ bool SetPoints(const GridLeaf& leaf, MeshPart& part, MadePoints& made, std::stri
   }
   else
   {
-    return SetPointsInPlace(leaf, part, error);
+    return SetPointsOfSet(leaf, part, made, error);
   }
-  part.NumberOfPoints = static_cast<std::int64_t>(made->size() / 3);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    part.Coordinates[axis] = { made->data() + axis, ScalarType::Float64, 3 };
-  }
+  SetMadePoints(*made, part);
   return true;
 }
 

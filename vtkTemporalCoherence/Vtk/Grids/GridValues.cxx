@@ -29,7 +29,7 @@ constexpr std::uint8_t WithoutValue =
 std::array<bool, 256> FindTypesWithVolume(const MeshPart& part)
 {
   std::array<bool, 256> haveVolume{};
-  const TypeCounts counts = CountTypes(part.Types, part.NumberOfCells);
+  const TypeCounts counts = CountTypes(part);
   for (std::size_t type = 0; type < counts.size(); ++type)
   {
     haveVolume[type] = counts[type] > 0 && DimensionOfType(static_cast<int>(type)) == 3;
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkDataArray> AverageToPoints(
   // In the order of the cells, so that the sums do not depend on the number of threads.
   for (std::int64_t cell = 0; cell < part.NumberOfCells; ++cell)
   {
-    if ((part.Types && !haveVolume[part.Types[cell]]) || (ghosts && (ghosts[cell] & WithoutValue)))
+    if ((part.Types && !haveVolume[part.TypeOf(cell)]) || (ghosts && (ghosts[cell] & WithoutValue)))
     {
       continue;
     }
@@ -91,15 +91,10 @@ bool FitsGrid(const GridLeaf& leaf, std::string& error)
   return false;
 }
 
-bool FindValues(const PointValues& values, MeshArray& found, std::string& error)
+MeshArray ArrayOf(const PointValues& values)
 {
-  ArraySamples samples;
-  if (!FindSamples(values.Array, values.Component, samples, error))
-  {
-    return false;
-  }
-  found = { samples.First, samples.Type, samples.Step };
-  return true;
+  const ArraySamples samples = SamplesOf(values.Array, values.Component);
+  return { samples.First, samples.Type, samples.Step };
 }
 
 }
@@ -123,16 +118,9 @@ bool SetValues(const GridLeaf& leaf, const DrawnComponent& component, MeshPart& 
   if (component.IsMagnitude && leaf.Array->GetNumberOfComponents() > 1)
   {
     VectorMagnitude lengths;
-    values.Array = lengths.Of(leaf.Array, 0, error);
-    if (!values.Array)
-    {
-      return false;
-    }
+    values.Array = lengths.Of(leaf.Array, 0);
   }
-  if (!FindValues(values, part.Values, error))
-  {
-    return false;
-  }
+  part.Values = ArrayOf(values);
   if (!leaf.OnCells)
   {
     return true;
@@ -140,7 +128,8 @@ bool SetValues(const GridLeaf& leaf, const DrawnComponent& component, MeshPart& 
   vtkUnsignedCharArray* ghosts = GhostsOf(leaf.Data->GetCellData());
   values.Array = AverageToPoints(part, part.Values, ghosts ? ghosts->GetPointer(0) : nullptr);
   values.Component = 0;
-  return FindValues(values, part.Values, error);
+  part.Values = ArrayOf(values);
+  return true;
 }
 
 }

@@ -30,7 +30,10 @@ void NoteValues(const GridLeaf& leaf, const DrawnComponent& component, MadeFrom&
 /// vectors are computed. Values of cells are averaged as by vtkCellDataToPointData: a point has the
 /// mean of the cells around it that have volume and a value, and are neither hidden nor refined.
 /// Duplicates count, so that parts of distributed data have equal values at the points that they
-/// share. \pre     the part has its cells \param error  gets what is wrong and what to do about it
+/// share.
+///
+/// \pre   the part has its cells, and the array of the leaf is in place
+/// \param error gets what is wrong and what to do about it
 /// \return false on error
 /// \throws std::bad_alloc
 bool SetValues(const GridLeaf& leaf, const DrawnComponent& component, MeshPart& part,

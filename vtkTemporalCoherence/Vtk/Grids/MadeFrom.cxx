@@ -7,7 +7,6 @@
 #include <vtkDataArray.h>
 
 #include <algorithm>
-#include <string>
 
 namespace TemporalCoherence
 {
@@ -25,12 +24,10 @@ void MadeFrom::Add(vtkDataArray* array, vtkMTimeType time)
     return;
   }
   this->Add(static_cast<double>(array->GetNumberOfTuples()));
+  const bool areInPlace = AreInPlace(array);
   for (int component = 0; component < array->GetNumberOfComponents(); ++component)
   {
-    ArraySamples samples;
-    std::string error;
-    const bool areInPlace = FindSamples(array, component, samples, error);
-    this->Places.push_back(areInPlace ? samples.First : nullptr);
+    this->Places.push_back(areInPlace ? SamplesOf(array, component).First : nullptr);
   }
 }
 

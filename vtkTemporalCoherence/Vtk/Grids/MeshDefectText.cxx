@@ -106,9 +106,9 @@ std::string TextOfCount(const MeshPart* part, std::int64_t cell)
 {
   std::ostringstream text;
   text << " has ";
-  if (part && part->Offsets.First)
+  if (part && part->Connectivity.First)
   {
-    text << part->Offsets.IdAt(cell + 1) - part->Offsets.IdAt(cell);
+    text << part->OffsetOf(cell + 1) - part->OffsetOf(cell);
   }
   else
   {
@@ -117,7 +117,7 @@ std::string TextOfCount(const MeshPart* part, std::int64_t cell)
   text << " points, which is not the number for its type";
   if (part && part->Types)
   {
-    text << ' ' << static_cast<int>(part->Types[cell]);
+    text << ' ' << static_cast<int>(part->TypeOf(cell));
   }
   return text.str();
 }

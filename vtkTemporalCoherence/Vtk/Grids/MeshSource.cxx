@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/MeshSource.h"
 
-#include "Grids/AmrGrids.h"
+#include "Adaptive/AmrGrids.h"
+#include "Grids/CellTypes.h"
 #include "Grids/GridShape.h"
 #include "Grids/MeshDefectText.h"
 #include "Input/GhostArray.h"
@@ -38,11 +39,11 @@ int MostComponents(const std::vector<GridLeaf>& leaves)
   return most;
 }
 
-int ComponentsOf(vtkUniformGridAMR* amr, const ScalarChoice& choice)
+int ComponentsOf(AdaptiveGrid* amr, const ScalarChoice& choice)
 {
   int components = 0;
   ForEachGrid(amr,
-    [&](vtkUniformGrid* grid)
+    [&](unsigned int, vtkImageData* grid)
     {
       vtkDataArray* array = FindScalars(grid, choice).Array;
       components = std::max(components, array ? array->GetNumberOfComponents() : 0);
@@ -51,7 +52,7 @@ int ComponentsOf(vtkUniformGridAMR* amr, const ScalarChoice& choice)
 }
 
 /// The cells of the input, as the user counts them.
-std::int64_t CountCells(const std::vector<GridLeaf>& leaves, vtkUniformGridAMR* amr)
+std::int64_t CountCells(const std::vector<GridLeaf>& leaves, AdaptiveGrid* amr)
 {
   std::int64_t cells = 0;
   for (const GridLeaf& leaf : leaves)
@@ -60,7 +61,7 @@ std::int64_t CountCells(const std::vector<GridLeaf>& leaves, vtkUniformGridAMR* 
   }
   if (amr)
   {
-    ForEachGrid(amr, [&](vtkUniformGrid* grid) { cells += grid->GetNumberOfCells(); });
+    ForEachGrid(amr, [&](unsigned int, vtkImageData* grid) { cells += grid->GetNumberOfCells(); });
   }
   return cells;
 }
@@ -77,7 +78,7 @@ void Keep(const std::vector<GridLeaf>& leaves, PlacedField& field)
       { leaf.Data, leaf.Array, GhostsOf(leaf.Data->GetCellData()),
         points && points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
         cells ? cells->GetOffsetsArray() : nullptr, cells ? cells->GetConnectivityArray() : nullptr,
-        grid ? grid->GetCellTypesArray() : nullptr });
+        grid ? TypesOf(grid) : nullptr });
   }
 }
 
@@ -88,11 +89,16 @@ bool MeshSource::Find(vtkDataObject* data, const ScalarChoice& choice, vtkVolume
 {
   this->Leaves.clear();
   this->Choice = choice;
-  this->Amr = vtkUniformGridAMR::SafeDownCast(data);
+  this->Amr = AdaptiveGrid::SafeDownCast(data);
   if (!this->Amr && !FindLeaves(data, choice, this->Leaves, error))
   {
     this->Leaves.clear();
     return false;
+  }
+  this->Arrays.DropUnused();
+  for (GridLeaf& leaf : this->Leaves)
+  {
+    leaf.Array = this->Arrays.Of(leaf.Array, leaf.Data->GetMTime());
   }
   const int components = this->Amr ? ComponentsOf(this->Amr, choice) : MostComponents(this->Leaves);
   found = this->Component = ChooseComponent(property, vectors, components);
@@ -115,7 +121,7 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
     return false;
   }
   const MeshTree& tree = *this->Tree;
-  done.Memory = tree.MemoryInBytes() + this->Grids.MemoryInBytes();
+  done.Memory = tree.MemoryInBytes() + this->Grids.MemoryInBytes() + this->Arrays.MemoryInBytes();
   done.Error = this->Grids.ErrorOfDivision();
   done.AveragesCells = std::any_of(
     this->Leaves.begin(), this->Leaves.end(), [](const GridLeaf& leaf) { return leaf.OnCells; });

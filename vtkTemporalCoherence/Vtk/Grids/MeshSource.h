@@ -3,8 +3,10 @@
 #ifndef TemporalCoherence_MeshSource_h
 #define TemporalCoherence_MeshSource_h
 
+#include "Adaptive/AmrGrids.h"
 #include "Grids/GridMesh.h"
 #include "Input/FieldSource.h"
+#include "Input/SamplesOfArray.h"
 
 #include <memory>
 #include <string>
@@ -34,8 +36,9 @@ private:
   bool SetUpTree(bool averagesGradients, const ReportProgress& progress, MakingBudget& budget,
     FieldSetUp& done, std::string& error);
 
-  std::vector<GridLeaf> Leaves;     ///< that were found
-  vtkUniformGridAMR* Amr = nullptr; ///< that was found instead
+  std::vector<GridLeaf> Leaves; ///< that were found; their arrays are in place
+  ArraysInPlace Arrays;         ///< of leaves
+  AdaptiveGrid* Amr = nullptr;  ///< that was found instead
   ScalarChoice Choice;
   DrawnComponent Component;
   GridMesh Grids;

@@ -8,7 +8,6 @@
 #include <vtkDataSet.h>
 
 #include <cmath>
-#include <string>
 
 namespace TemporalCoherence
 {
@@ -46,12 +45,7 @@ void FindMissingCells(
   const int end = component.IsMagnitude ? components : component.Number + 1;
   for (int c = first; c < end && c < components; ++c)
   {
-    ArraySamples samples;
-    std::string error; // of an array that is refused later
-    if (!FindSamples(leaf.Array, c, samples, error))
-    {
-      continue;
-    }
+    const ArraySamples samples = SamplesOf(leaf.Array, c);
     if (samples.Type == ScalarType::Float32)
     {
       MarkNaN<float>(samples, count, missing);

@@ -28,8 +28,8 @@ void ForEachPoint(const MeshPart& part, std::int64_t cell, const Visit& visit)
     }
     return;
   }
-  const std::int64_t end = std::min(part.Offsets.IdAt(cell + 1), part.ConnectivitySize);
-  for (std::int64_t at = std::max<std::int64_t>(part.Offsets.IdAt(cell), 0); at < end; ++at)
+  const std::int64_t end = std::min(part.OffsetOf(cell + 1), part.ConnectivitySize);
+  for (std::int64_t at = std::max<std::int64_t>(part.OffsetOf(cell), 0); at < end; ++at)
   {
     const std::int64_t id = part.Connectivity.IdAt(at);
     if (id >= 0 && id < part.NumberOfPoints)

@@ -25,7 +25,7 @@ bool HaveSameCells(const MeshPart& a, const MeshPart& b)
 {
   return a.NumberOfCells == b.NumberOfCells && a.NumberOfPoints == b.NumberOfPoints &&
     a.ConnectivitySize == b.ConnectivitySize &&
-    std::equal(a.Types, a.Types + a.NumberOfCells, b.Types) &&
+    std::equal(a.Types, a.Types + a.NumberOfCells, b.Types) && // made ones: one for each cell
     HasSameNumbers(a.Offsets, b.Offsets, a.NumberOfCells + 1) &&
     HasSameNumbers(a.Connectivity, b.Connectivity, a.ConnectivitySize) &&
     HasSameNumbers(a.Originals, b.Originals, a.NumberOfCells) &&

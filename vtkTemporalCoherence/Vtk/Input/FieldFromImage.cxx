@@ -70,11 +70,7 @@ bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int compo
       "s; give it one tuple for each " + place + '.';
     return false;
   }
-  ArraySamples samples;
-  if (!FindSamples(array, component, samples, error))
-  {
-    return false;
-  }
+  const ArraySamples samples = SamplesOf(array, component);
   glm::ivec3 dimensions;
   image->GetDimensions(&dimensions.x);
   field.Dimensions = onCells ? glm::max(dimensions - 1, 1) : dimensions;

@@ -25,7 +25,7 @@ struct ImageAxes
 
 /// Make a field of one component of an image's array. The samples are not copied.
 /// \param image     where the samples lie
-/// \param array     one tuple for each point, or for each cell, of the image
+/// \param array     one tuple for each point, or for each cell, of the image; AreInPlace(array)
 /// \param onCells   samples lie at the centres of cells; the field is the box between the centres
 /// \param component of the array
 /// \param error     gets what is wrong and what to do about it

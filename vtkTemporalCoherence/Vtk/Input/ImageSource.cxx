@@ -20,10 +20,14 @@ bool ImageSource::Find(vtkDataObject* data, const ScalarChoice& choice, vtkVolum
   const VectorChoice& vectors, DrawnComponent& found, std::string& error)
 {
   this->Found = FoundImage();
-  const bool isFound =
-    this->FindImage(data, choice, error) && this->FindScalar(property, vectors, error);
+  this->Arrays.DropUnused();
+  if (!this->FindImage(data, choice, error))
+  {
+    return false;
+  }
+  this->FindScalar(property, vectors);
   found = this->Found.Component;
-  return isFound;
+  return true;
 }
 
 /// Find the image, or an image that stands for the data, and its array.
@@ -53,7 +57,9 @@ bool ImageSource::FindImage(vtkDataObject* data, const ScalarChoice& choice, std
     error = WhyThereAreNoScalars(choice);
     return false;
   }
-  this->Found.Array = dataSet->GetNumberOfPoints() != 0 ? scalars.Array : nullptr;
+  this->Found.Array = dataSet->GetNumberOfPoints() != 0
+    ? this->Arrays.Of(scalars.Array, dataSet->GetMTime())
+    : nullptr;
   this->Found.OnCells = scalars.OnCells;
   if (!grid)
   {
@@ -69,20 +75,18 @@ bool ImageSource::FindImage(vtkDataObject* data, const ScalarChoice& choice, std
   return true;
 }
 
-bool ImageSource::FindScalar(
-  vtkVolumeProperty* property, const VectorChoice& vectors, std::string& error)
+void ImageSource::FindScalar(vtkVolumeProperty* property, const VectorChoice& vectors)
 {
   const int components = this->Found.Array ? this->Found.Array->GetNumberOfComponents() : 0;
   this->Found.Component = ChooseComponent(property, vectors, components);
   if (!this->Found.Component.IsMagnitude)
   {
     this->Magnitude.Release();
-    return true;
+    return;
   }
   // As for the samples: whoever writes them may call Modified() of the array or of the image.
   const vtkMTimeType stamp = std::max(this->Found.Image->GetMTime(), this->Found.Array->GetMTime());
-  this->Found.Array = this->Magnitude.Of(this->Found.Array, stamp, error);
-  return this->Found.Array != nullptr;
+  this->Found.Array = this->Magnitude.Of(this->Found.Array, stamp);
 }
 
 bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string& error)
@@ -166,6 +170,7 @@ void ImageSource::Release()
 {
   this->Ranges.clear();
   this->Found = FoundImage();
+  this->Arrays = ArraysInPlace();
   this->Blocks.Release();
   this->Magnitude.Release();
   this->Grid.Release();

@@ -7,6 +7,7 @@
 #include "Input/HiddenCellsFromImage.h"
 #include "Input/ImageOfGrid.h"
 #include "Input/MergedBlocks.h"
+#include "Input/SamplesOfArray.h"
 #include "Input/VectorMagnitude.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -36,7 +37,7 @@ private:
   bool FindImage(vtkDataObject* data, const ScalarChoice& choice, std::string& error);
   bool MakeOthers(PlacedField& field, std::string& error) const;
   void FindRanges(PlacedField& field);
-  bool FindScalar(vtkVolumeProperty* property, const VectorChoice& vectors, std::string& error);
+  void FindScalar(vtkVolumeProperty* property, const VectorChoice& vectors);
 
   /// What was found. The pointers are not owned.
   struct FoundImage
@@ -49,6 +50,7 @@ private:
   };
 
   FoundImage Found;
+  ArraysInPlace Arrays;
   MergedBlocks Blocks;
   VectorMagnitude Magnitude;
   ImageOfGrid Grid;

@@ -168,22 +168,19 @@ const std::uint8_t* FlagsOf(vtkDataSetAttributes* attributes, vtkIdType count)
   return ghosts && HasOneForEach(ghosts, count) ? ghosts->GetPointer(0) : nullptr;
 }
 
-bool MakeSource(
-  const Block& block, const LatticeBox& whole, BlockSource& source, std::string& error)
+BlockSource MakeSource(const Block& block, vtkDataArray* array, const LatticeBox& whole)
 {
+  BlockSource source;
   source.First = block.Place.First - whole.First;
   source.Points = block.Place.Points();
   source.PointGhosts = FlagsOf(block.Image->GetPointData(), CountSamples(block.Image, false));
   source.CellGhosts = FlagsOf(block.Image->GetCellData(), CountSamples(block.Image, true));
-  source.Components.resize(static_cast<std::size_t>(block.Array->GetNumberOfComponents()));
+  source.Components.resize(static_cast<std::size_t>(array->GetNumberOfComponents()));
   for (std::size_t c = 0; c < source.Components.size(); ++c)
   {
-    if (!FindSamples(block.Array, static_cast<int>(c), source.Components[c], error))
-    {
-      return false;
-    }
+    source.Components[c] = SamplesOf(array, static_cast<int>(c));
   }
-  return true;
+  return source;
 }
 
 /// An image without samples on the lattice of the blocks.
@@ -237,19 +234,21 @@ bool MergedBlocks::Merge(vtkDataObjectTree* tree, const ScalarChoice& choice, st
     return true;
   }
   LatticeBox whole;
-  return FitBlocks(same, blocks, whole, error) && this->Copy(blocks, onCells, whole, error);
+  if (!FitBlocks(same, blocks, whole, error))
+  {
+    return false;
+  }
+  this->Copy(blocks, onCells, whole);
+  return true;
 }
 
-bool MergedBlocks::Copy(
-  const std::vector<Block>& blocks, bool onCells, const LatticeBox& whole, std::string& error)
+void MergedBlocks::Copy(const std::vector<Block>& blocks, bool onCells, const LatticeBox& whole)
 {
-  std::vector<BlockSource> sources(blocks.size());
-  for (std::size_t b = 0; b < blocks.size(); ++b)
+  std::vector<BlockSource> sources;
+  ArraysInPlace arrays; // for as long as they are read
+  for (const Block& block : blocks)
   {
-    if (!MakeSource(blocks[b], whole, sources[b], error))
-    {
-      return false;
-    }
+    sources.push_back(MakeSource(block, arrays.Of(block.Array), whole));
   }
   this->Release(); // first, as both images may not fit into memory
 
@@ -285,7 +284,6 @@ bool MergedBlocks::Copy(
   {
     image->GetPointData()->SetScalars(array);
   }
-  return true;
 }
 
 }

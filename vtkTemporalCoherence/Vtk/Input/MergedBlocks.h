@@ -53,8 +53,7 @@ public:
   };
 
 private:
-  bool Copy(
-    const std::vector<Block>& blocks, bool onCells, const LatticeBox& whole, std::string& error);
+  void Copy(const std::vector<Block>& blocks, bool onCells, const LatticeBox& whole);
 
   std::vector<Block> Blocks;
   vtkSmartPointer<vtkImageData> Merged;

@@ -157,12 +157,12 @@ bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::
     scalars = FindScalars(image, ScalarChoice());
   }
   error = WhyUnusable(image, scalars, samples);
-  ArraySamples values;
-  if (!error.empty() || !FindSamples(scalars.Array, 0, values, error))
+  if (!error.empty())
   {
     return false;
   }
-  if (values.Type == ScalarType::Float32 || values.Type == ScalarType::Float64)
+  const int type = scalars.Array->GetDataType();
+  if (type == VTK_FLOAT || type == VTK_DOUBLE)
   {
     error = "The values of the mask have the type " +
       std::string(scalars.Array->GetDataTypeAsString()) +
@@ -176,10 +176,11 @@ bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::
 
 const std::uint8_t* SamplesShown(const SampleMask& mask, std::vector<std::uint8_t>& room)
 {
-  ArraySamples values;
-  std::string error; // unused: FindMask has checked the array
-  FindSamples(mask.Array, 0, values, error);
-  if (values.Type == ScalarType::UInt8 && values.Step == 1 && !mask.IsLabelMap)
+  const bool areInPlace = AreInPlace(mask.Array);
+  const auto array =
+    areInPlace ? vtkSmartPointer<vtkDataArray>(mask.Array) : CopyInPlace(mask.Array);
+  const ArraySamples values = SamplesOf(array, 0);
+  if (areInPlace && values.Type == ScalarType::UInt8 && values.Step == 1 && !mask.IsLabelMap)
   {
     return static_cast<const std::uint8_t*>(values.First);
   }

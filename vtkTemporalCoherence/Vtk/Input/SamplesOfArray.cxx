@@ -4,7 +4,12 @@
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkLogger.h>
 #include <vtkSOADataArrayTemplate.h>
+#include <vtkVersionMacros.h>
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+#include <vtkStridedArray.h>
+#endif
 
 #include <algorithm>
 #include <limits>
@@ -70,6 +75,15 @@ bool FindTypedSamples(vtkDataArray* array, int component, ArraySamples& samples)
     samples.Step = array->GetNumberOfComponents();
     return true;
   }
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+  auto* const strided = vtkStridedArray<T>::FastDownCast(array);
+  if (const auto backend = strided ? strided->GetBackend() : nullptr)
+  {
+    samples.First = backend->GetBuffer() + backend->GetOffset() + component;
+    samples.Step = backend->GetStride();
+    return true;
+  }
+#endif
   return false;
 }
 
@@ -85,16 +99,68 @@ bool FindSamplesOfAnyType(vtkDataArray* array, int component, ArraySamples& samp
 
 }
 
-bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std::string& error)
+bool AreInPlace(vtkDataArray* array)
 {
-  if (FindSamplesOfAnyType(array, component, samples))
+  ArraySamples samples;
+  return FindSamplesOfAnyType(array, 0, samples);
+}
+
+ArraySamples SamplesOf(vtkDataArray* array, int component)
+{
+  ArraySamples samples;
+  FindSamplesOfAnyType(array, component, samples);
+  return samples;
+}
+
+vtkSmartPointer<vtkDataArray> CopyInPlace(vtkDataArray* array, int type)
+{
+  const int own = array->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array->GetDataType();
+  const auto copy =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type < 0 ? own : type));
+  copy->DeepCopy(array);
+  vtkLog(INFO, << "Array " << NameOf(array) << " is copied to be read, as its "
+               << array->GetNumberOfTuples() << " tuples do not lie in memory.");
+  return copy;
+}
+
+std::size_t ArraysInPlace::MemoryInBytes() const
+{
+  std::size_t bytes = 0;
+  for (const Kept& kept : this->Copies)
   {
-    return true;
+    bytes += static_cast<std::size_t>(kept.Copy->GetActualMemorySize()) << 10;
   }
-  error = "Array " + NameOf(array) + " is a " + array->GetClassName() +
-    ", whose samples cannot be read in place; copy it into an array of numbers, for example with "
-    "vtkFloatArray::DeepCopy or vtkImageCast.";
-  return false;
+  return bytes;
+}
+
+vtkDataArray* ArraysInPlace::Of(vtkDataArray* array, vtkMTimeType time)
+{
+  if (!array || AreInPlace(array))
+  {
+    return array;
+  }
+  const vtkMTimeType now = std::max(time, array->GetMTime());
+  for (Kept& kept : this->Copies)
+  {
+    if (kept.Of == array && kept.Time == now)
+    {
+      kept.IsUsed = true;
+      return kept.Copy;
+    }
+  }
+  this->Copies.push_back({ array, now, CopyInPlace(array) });
+  return this->Copies.back().Copy;
+}
+
+void ArraysInPlace::DropUnused()
+{
+  this->Copies.erase(std::remove_if(this->Copies.begin(), this->Copies.end(),
+                       [](const Kept& kept) { return !kept.IsUsed; }),
+    this->Copies.end());
+  for (Kept& kept : this->Copies)
+  {
+    kept.IsUsed = false;
+  }
 }
 
 bool HasComponent(vtkDataArray* array, int component, std::string& error)

@@ -6,8 +6,12 @@
 #include "Scene/Field.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
 #include <cstdint>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
@@ -25,10 +29,45 @@ struct ArraySamples
   std::int64_t Step = 1; ///< scalars from one tuple to the next
 };
 
-/// \pre the array has the component
-/// \param error gets what is wrong and what to do about it
-/// \return false if the samples are not equally spaced in memory
-bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std::string& error);
+/// True if the samples of each component are equally spaced in memory: in arrays of tuples, in
+/// arrays of components and, since VTK 9.7, in vtkStridedArray (9.6 does not tell where its samples
+/// lie). VTK computes the samples of other arrays.
+bool AreInPlace(vtkDataArray* array);
+
+/// \pre AreInPlace(array), and the array has the component
+ArraySamples SamplesOf(vtkDataArray* array, int component);
+
+/// A copy with the same numbers that AreInPlace. A line in the log tells of it.
+/// \param type VTK's number for the type of the copy; negative: the array's own type, or unsigned
+///             characters for bits
+/// \throws std::bad_alloc
+vtkSmartPointer<vtkDataArray> CopyInPlace(vtkDataArray* array, int type = -1);
+
+/// Gives each array in place, and keeps copies of arrays that are not until these change.
+class ArraysInPlace
+{
+public:
+  /// The array itself if it AreInPlace, otherwise a copy. Null for null.
+  /// \param time if others than the array tell that it may have changed
+  /// \throws std::bad_alloc
+  vtkDataArray* Of(vtkDataArray* array, vtkMTimeType time = 0);
+
+  /// Drop the copies that nobody has asked for since the last call.
+  void DropUnused();
+
+  /// Bytes of the copies.
+  std::size_t MemoryInBytes() const;
+
+private:
+  struct Kept
+  {
+    const vtkDataArray* Of = nullptr; // may dangle
+    vtkMTimeType Time = 0;
+    vtkSmartPointer<vtkDataArray> Copy;
+    bool IsUsed = true;
+  };
+  std::vector<Kept> Copies;
+};
 
 /// \param error gets what is wrong and what to do about it
 /// \return false if the array lacks a component that the user chose

@@ -92,7 +92,7 @@ bool NeedsDouble(ScalarType type)
 
 }
 
-vtkDataArray* VectorMagnitude::Of(vtkDataArray* vectors, vtkMTimeType stamp, std::string& error)
+vtkDataArray* VectorMagnitude::Of(vtkDataArray* vectors, vtkMTimeType stamp)
 {
   if (this->Lengths && this->Vectors == vectors && this->Stamp == stamp)
   {
@@ -101,10 +101,7 @@ vtkDataArray* VectorMagnitude::Of(vtkDataArray* vectors, vtkMTimeType stamp, std
   std::vector<ArraySamples> components(static_cast<std::size_t>(vectors->GetNumberOfComponents()));
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    if (!FindSamples(vectors, static_cast<int>(c), components[c], error))
-    {
-      return nullptr;
-    }
+    components[c] = SamplesOf(vectors, static_cast<int>(c));
   }
 
   this->Release();

@@ -19,10 +19,10 @@ namespace TemporalCoherence
 class VectorMagnitude
 {
 public:
+  /// \pre AreInPlace(vectors)
   /// \param stamp differs whenever the tuples may have changed
-  /// \param error gets what is wrong and what to do about it
-  /// \return the array of lengths, which this object owns; null on error
-  vtkDataArray* Of(vtkDataArray* vectors, vtkMTimeType stamp, std::string& error);
+  /// \return the array of lengths, which this object owns
+  vtkDataArray* Of(vtkDataArray* vectors, vtkMTimeType stamp);
 
   void Release() { *this = VectorMagnitude(); }
 

@@ -8,7 +8,6 @@
 #include <vtkDataObjectTree.h>
 #include <vtkImageData.h>
 #include <vtkRectilinearGrid.h>
-#include <vtkUniformGridAMR.h>
 #include <vtkVolumeMapper.h>
 
 #include <exception>
@@ -49,7 +48,7 @@ bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   try
   {
     // Levels of an adaptive grid are a mesh together, but one alone is an image.
-    auto* amr = vtkUniformGridAMR::SafeDownCast(data);
+    auto* amr = AdaptiveGrid::SafeDownCast(data);
     this->OnlyLevel = amr && HasOneLevel(amr) ? BlocksOf(amr) : nullptr;
     vtkDataObject* drawn = this->OnlyLevel ? this->OnlyLevel.Get() : data;
     if (!this->ChooseSource(drawn, vectors.AreBlended, error) ||

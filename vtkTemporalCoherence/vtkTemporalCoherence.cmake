@@ -173,6 +173,10 @@ set(bridge_files
   Input/SettingCheck
   Input/VectorMagnitude
   Input/VolumePlace
+  Polyhedra/ClosedSurface
+  Polyhedra/ConeDivision
+  Polyhedra/FaceCutter
+  Polyhedra/UnitCube
   Shapes/BernsteinFunctions
   Shapes/BoundaryParts
   Shapes/CellDivision

@@ -280,6 +280,16 @@ void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfDivision()
         << " fewer cells, for example with vtkExtractCells.");
   }
   this->HasWarnedOfDivision = isLarge;
+  if (error.Overlapping > 0 && !this->HasWarnedOfOverlap)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << error.Overlapping << " concave "
+      << (error.Overlapping == 1 ? "polyhedron is" : "polyhedra are") << " drawn beyond the faces ("
+      << error.Overlaps
+      << "), as no division into parts was found. Check that the faces close and do not cross each "
+         "other, divide the cells, or leave them out with vtkExtractCells.");
+  }
+  this->HasWarnedOfOverlap = error.Overlapping > 0;
 }
 
 //------------------------------------------------------------------------------

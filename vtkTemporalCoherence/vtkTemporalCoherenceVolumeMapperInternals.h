@@ -34,6 +34,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   std::string LastError;               ///< reported already; empty after a frame without error
   bool HasWarned = false;              ///< of the memory limit
   bool HasWarnedOfDivision = false;    ///< since it was fine
+  bool HasWarnedOfOverlap = false;     ///< since it was fine
   TemporalCoherence::FieldSetUp SetUp; ///< of the last frame
   bool IsMaking = false;               ///< a frame or an isomap, while observers may call anything
 

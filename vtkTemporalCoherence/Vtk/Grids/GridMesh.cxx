@@ -24,8 +24,8 @@ namespace
 
 DivisionError ErrorOf(const Subdivision& division)
 {
-  return { division.ErrorOfPoints, division.ErrorOfValues,
-    division.Limit == DivisionLimit::Memory };
+  return { division.ErrorOfPoints, division.ErrorOfValues, division.Limit == DivisionLimit::Memory,
+    division.Overlapping, division.Overlaps };
 }
 
 /// Shares out what memory there is for cells that are divided.

@@ -14,6 +14,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,13 +54,15 @@ enum class SetUpWork
   Built      ///< cells are new: the tree was built
 };
 
-/// Bounds of what linear cells made of curved ones differ by.
+/// Bounds of what linear cells made of curved ones differ by, and polyhedra that overlap others.
 struct DivisionError
 {
   double OfPoints = 0.0; ///< in parts of the diagonal of the curved cell
   double OfValues = 0.0; ///< in parts of the range of values in it, or of 1 % of that in the grid;
                          ///< NaN where it is not known
   bool IsByMemory = false; ///< cells were divided less than they could be, as memory is limited
+  std::int64_t Overlapping = 0; ///< concave polyhedra that were not divided without leaving them
+  std::string Overlaps;         ///< names one of them
 
   /// Take the larger of each.
   void Add(const DivisionError& other)
@@ -68,6 +71,8 @@ struct DivisionError
     this->OfPoints = largest(this->OfPoints, other.OfPoints);
     this->OfValues = largest(this->OfValues, other.OfValues);
     this->IsByMemory = this->IsByMemory || other.IsByMemory;
+    this->Overlapping += other.Overlapping;
+    this->Overlaps = this->Overlaps.empty() ? other.Overlaps : this->Overlaps;
   }
 };
 

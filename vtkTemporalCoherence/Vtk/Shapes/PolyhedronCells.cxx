@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes/PolyhedronCells.h"
 
-#include <vtkBoundingBox.h>
+#include "Polyhedra/UnitCube.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
-#include <vtkMath.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <iterator>
+#include <utility>
 
 namespace TemporalCoherence
 {
@@ -19,73 +20,46 @@ namespace TemporalCoherence
 namespace
 {
 
-using Place = std::array<double, 3>;
-
-/// Sets of points that are thinner than this, by their longest extent, are stretched.
-constexpr double Thin = 0.25;
-
-/// Scale points to the unit cube. Those of a thin set lie there along its principal axes, all
-/// extents alike: the triangulation would lose most of it.
-/// \return false if they lie in a plane
-bool ScaleToUnit(const std::vector<Place>& points, std::vector<Place>& scaled)
+glm::dvec3 PlaceOf(const PointValue& point)
 {
-  vtkBoundingBox box;
-  for (const Place& point : points)
+  return { point[0], point[1], point[2] };
+}
+
+/// The mean of the distances of points from a plane is at least the largest one divided by their
+/// number, if they lie on one side. Faces may be warped.
+constexpr double SeenWell = 0.25;
+
+PointValue MeanOf(const std::vector<PointValue>& points)
+{
+  const PointValue& first = points.front();
+  PointValue mean{ 0.0, 0.0, 0.0, 0.0 };
+  for (const PointValue& point : points)
   {
-    box.AddPoint(point[0], point[1], point[2]);
-  }
-  const double longest = box.IsValid() ? box.GetMaxLength() : 0.0;
-  if (!(longest > 0.0))
-  {
-    return false;
-  }
-  scaled = points;
-  Place mean{};
-  for (Place& point : scaled)
-  {
-    for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t c = 0; c < mean.size(); ++c)
     {
-      point[a] = (point[a] - box.GetBound(2 * static_cast<int>(a))) / longest;
-      mean[a] += point[a] / static_cast<double>(points.size());
+      mean[c] += (point[c] - first[c]) / static_cast<double>(points.size());
     }
   }
-  double spread[3][3] = {}, sizes[3], axes[3][3];
-  for (const Place& point : scaled)
+  for (std::size_t c = 0; c < mean.size(); ++c)
   {
-    for (std::size_t a = 0; a < 9; ++a)
+    mean[c] += first[c];
+  }
+  return mean;
+}
+
+/// The sum of points with weights that add up to 1.
+PointValue SumOf(const std::vector<PointValue>& points, const std::vector<double>& weights)
+{
+  const PointValue& first = points.front();
+  PointValue sum = first;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    for (std::size_t c = 0; c < sum.size(); ++c)
     {
-      spread[a / 3][a % 3] += (point[a / 3] - mean[a / 3]) * (point[a % 3] - mean[a % 3]);
+      sum[c] += weights[p] * (points[p][c] - first[c]);
     }
   }
-  vtkMath::Diagonalize3x3(spread, sizes, axes);
-  Place least{}, most{};
-  std::vector<Place> turned(scaled.size(), Place{});
-  for (std::size_t p = 0; p < scaled.size(); ++p)
-  {
-    for (std::size_t a = 0; a < 9; ++a)
-    {
-      turned[p][a % 3] += (scaled[p][a / 3] - mean[a / 3]) * axes[a / 3][a % 3];
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      least[a] = std::min(least[a], turned[p][a]);
-      most[a] = std::max(most[a], turned[p][a]);
-    }
-  }
-  const Place extents = { most[0] - least[0], most[1] - least[1], most[2] - least[2] };
-  const auto [shortest, largest] = std::minmax_element(extents.begin(), extents.end());
-  constexpr double flat = 1e-14;
-  if (*shortest<Thin* * largest&& * shortest> flat)
-  {
-    for (std::size_t p = 0; p < scaled.size(); ++p)
-    {
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        scaled[p][a] = (turned[p][a] - least[a]) / extents[a];
-      }
-    }
-  }
-  return *shortest > flat;
+  return sum;
 }
 
 }
@@ -127,49 +101,196 @@ bool PolyhedronCells::AddPolyhedron(vtkIdType cell, std::string& error)
   {
     return false;
   }
-  Face corners;
-  for (const Face& face : faces)
-  {
-    corners.insert(corners.end(), face.begin(), face.end());
-  }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  if (faces.size() == 4 && corners.size() == 4)
+  const Surface& surface = this->SurfaceOf(std::move(faces));
+  if (surface.Faces.size() == 4 && surface.Corners.size() == 4)
   {
     std::array<std::int32_t, 4> ids;
-    std::transform(corners.begin(), corners.end(), ids.begin(),
+    std::transform(surface.Corners.begin(), surface.Corners.end(), ids.begin(),
       [this](vtkIdType point) { return this->NumberOf(point); });
     this->Made.AddCell(MeshCellType::Tetrahedron, ids, cell);
   }
-  else if (faces.size() > 4)
+  else if (surface.Faces.size() >= 4)
   {
-    const std::int32_t apex = this->Made.AddPoint(this->MeanOf(corners));
-    for (const Face& face : faces)
-    {
-      this->AddConeOver(face, apex, cell);
-    }
+    this->AddCones(surface, cell);
   }
   return true;
 }
 
-void PolyhedronCells::AddConeOver(const Face& face, std::int32_t apex, vtkIdType cell)
+std::size_t PolyhedronCells::Surface::NumberOf(vtkIdType corner) const
 {
-  std::vector<std::int32_t> ids(face.size());
-  std::transform(face.begin(), face.end(), ids.begin(),
-    [this](vtkIdType point) { return this->NumberOf(point); });
-  if (face.size() <= 4)
+  return static_cast<std::size_t>(
+    std::lower_bound(this->Corners.begin(), this->Corners.end(), corner) - this->Corners.begin());
+}
+
+const PolyhedronCells::Surface& PolyhedronCells::SurfaceOf(std::vector<Face> faces)
+{
+  Surface& surface = this->Last;
+  surface.Faces = std::move(faces);
+  surface.Corners.clear();
+  for (const Face& face : surface.Faces)
   {
-    ids.push_back(apex);
-    this->Made.AddCell(
-      face.size() == 3 ? MeshCellType::Tetrahedron : MeshCellType::Pyramid, ids, cell);
+    surface.Corners.insert(surface.Corners.end(), face.begin(), face.end());
+  }
+  std::sort(surface.Corners.begin(), surface.Corners.end());
+  surface.Corners.erase(
+    std::unique(surface.Corners.begin(), surface.Corners.end()), surface.Corners.end());
+  surface.Middles.clear();
+  surface.Parts.clear();
+  surface.Points.clear();
+  surface.Places.clear();
+  for (const vtkIdType corner : surface.Corners)
+  {
+    surface.Points.push_back(this->Reader.Read(corner));
+    surface.Places.push_back(PlaceOf(surface.Points.back()));
+  }
+  for (const Face& face : surface.Faces)
+  {
+    this->AddParts(face);
+  }
+  return surface;
+}
+
+void PolyhedronCells::AddParts(const Face& face)
+{
+  Surface& surface = this->Last;
+  std::vector<std::int32_t>& numbers = this->FaceNumbers;
+  numbers.clear();
+  this->FacePoints.clear();
+  this->FacePlaces.clear();
+  for (const vtkIdType point : face)
+  {
+    const std::size_t number = surface.NumberOf(point);
+    numbers.push_back(static_cast<std::int32_t>(number));
+    this->FacePoints.push_back(surface.Points[number]);
+    this->FacePlaces.push_back(surface.Places[number]);
+  }
+  surface.Middles.push_back(-1);
+  const std::vector<FaceCutter::Triangle> triangles = this->Cutter.Cut(face, this->FacePlaces);
+  for (const FaceCutter::Triangle& triangle : triangles)
+  {
+    surface.Parts.push_back(
+      { { numbers[triangle[0]], numbers[triangle[1]], numbers[triangle[2]], -1 }, 3 });
+  }
+  if (!triangles.empty())
+  {
     return;
   }
-  const std::int32_t middle = this->MiddleOf(face);
-  for (std::size_t p = 0; p < ids.size(); ++p)
+  if (face.size() <= 4)
+  {
+    numbers.resize(4, -1);
+    surface.Parts.push_back({ { numbers[0], numbers[1], numbers[2], numbers[3] }, face.size() });
+    return;
+  }
+  const auto middle = static_cast<std::int32_t>(surface.Points.size());
+  surface.Middles.back() = middle;
+  surface.Points.push_back(MeanOf(this->FacePoints));
+  surface.Places.push_back(PlaceOf(surface.Points.back()));
+  for (std::size_t p = 0; p < numbers.size(); ++p)
+  {
+    surface.Parts.push_back({ { numbers[p], numbers[(p + 1) % numbers.size()], middle, -1 }, 3 });
+  }
+}
+
+bool PolyhedronCells::HasConcaveFace(const std::vector<Face>& faces)
+{
+  return std::any_of(faces.begin(), faces.end(),
+    [this](const Face& face)
+    {
+      std::vector<glm::dvec3> places;
+      for (const PointValue& point : this->Read(face))
+      {
+        places.push_back(PlaceOf(point));
+      }
+      return !this->Cutter.Cut(face, places).empty();
+    });
+}
+
+/// Cones from the mean of the points, if it sees the surface well, else from other points.
+void PolyhedronCells::AddCones(const Surface& surface, vtkIdType cell)
+{
+  ConeDivision division;
+  if (!IsSeenFromMean(surface.Places, surface.Corners.size(), surface.Parts, SeenWell) &&
+    !this->Divide(surface, division))
+  {
+    this->Overlapping.push_back(cell);
+  }
+  const bool isDivided = !division.Cones.empty();
+  const auto corners = surface.Points.begin() + static_cast<std::ptrdiff_t>(surface.Corners.size());
+  const std::int32_t mean =
+    isDivided ? -1 : this->Made.AddPoint(MeanOf({ surface.Points.begin(), corners }));
+  std::vector<std::int32_t> numbers = this->NumbersOf(surface);
+  for (const std::vector<double>& weights : division.Inside)
+  {
+    numbers.push_back(this->Made.AddPoint(SumOf(surface.Points, weights)));
+  }
+  for (const Cone& cone : division.Cones)
+  {
+    this->AddCone(cone.Base, numbers[static_cast<std::size_t>(cone.Apex)], numbers, cell);
+  }
+  for (std::size_t part = 0; !isDivided && part < surface.Parts.size(); ++part)
+  {
+    this->AddCone(surface.Parts[part], mean, numbers, cell);
+  }
+}
+
+/// \param division stays empty if cones from the mean of the points do
+/// \return false if these leave the cell, but no other ones were found
+bool PolyhedronCells::Divide(const Surface& surface, ConeDivision& division)
+{
+  const bool areFinite = std::all_of(surface.Places.begin(), surface.Places.end(),
+    [](const glm::dvec3& place) { return std::isfinite(place.x + place.y + place.z); });
+  std::vector<glm::dvec3> scaled;
+  if (!areFinite || !ScaleToUnit(surface.Places, scaled))
+  {
+    return true; // an error, or flat
+  }
+  std::vector<SurfacePart> parts = surface.Parts;
+  const bool isClosed = TurnOutwards(scaled, parts);
+  const auto isSeen = [&](double share)
+  { return isClosed && IsSeenFromMean(scaled, surface.Corners.size(), parts, share); };
+  if (isSeen(SeenWell))
+  {
+    return true;
+  }
+  ++this->Searches;
+  return (isClosed && DivideIntoCones(scaled, parts, this->Work, division)) || isSeen(0.0);
+}
+
+void PolyhedronCells::AddCone(const SurfacePart& base, std::int32_t apex,
+  const std::vector<std::int32_t>& numbers, vtkIdType cell)
+{
+  const auto idOf = [&](std::size_t corner)
+  { return numbers[static_cast<std::size_t>(base.At(corner))]; };
+  if (base.Size == 3)
   {
     this->Made.AddCell(MeshCellType::Tetrahedron,
-      std::array<std::int32_t, 4>{ ids[p], ids[(p + 1) % ids.size()], middle, apex }, cell);
+      std::array<std::int32_t, 4>{ idOf(0), idOf(1), idOf(2), apex }, cell);
   }
+  else
+  {
+    this->Made.AddCell(MeshCellType::Pyramid,
+      std::array<std::int32_t, 5>{ idOf(0), idOf(1), idOf(2), idOf(3), apex }, cell);
+  }
+}
+
+/// The numbers that the points of a surface have among all.
+std::vector<std::int32_t> PolyhedronCells::NumbersOf(const Surface& surface)
+{
+  std::vector<std::int32_t> numbers(surface.Points.size(), -1);
+  for (std::size_t f = 0; f < surface.Faces.size(); ++f)
+  {
+    for (const vtkIdType point : surface.Faces[f])
+    {
+      std::int32_t& number = numbers[surface.NumberOf(point)];
+      number = number >= 0 ? number : this->NumberOf(point);
+    }
+    if (surface.Middles[f] >= 0)
+    {
+      const auto middle = static_cast<std::size_t>(surface.Middles[f]);
+      numbers[middle] = this->MiddleOf(surface.Faces[f], surface.Points[middle]);
+    }
+  }
+  return numbers;
 }
 
 /// Wedges around the axis.
@@ -186,12 +307,27 @@ bool PolyhedronCells::AddPrism(vtkIdType cell, std::string& error)
       std::to_string(2 * corners) + "; correct the cell or leave it out with vtkExtractCells.";
     return false;
   }
-  std::array<Face, 2> ends;
+  std::vector<Face> ends(2);
   for (vtkIdType p = 0; p < 2 * corners; ++p)
   {
     ends[p < corners ? 0 : 1].push_back(this->Ids->GetId(p));
   }
-  const std::array<std::int32_t, 2> middles{ this->MiddleOf(ends[0]), this->MiddleOf(ends[1]) };
+  std::vector<Face> faces = ends;
+  for (std::size_t p = 0; p < ends[0].size(); ++p)
+  {
+    const std::size_t next = (p + 1) % ends[0].size();
+    faces.push_back({ ends[0][p], ends[0][next], ends[1][next], ends[1][p] });
+  }
+  if (this->HasConcaveFace(faces))
+  {
+    this->AddCones(this->SurfaceOf(std::move(faces)), cell);
+    return true;
+  }
+  std::array<std::int32_t, 2> middles;
+  for (std::size_t end = 0; end < 2; ++end)
+  {
+    middles[end] = this->MiddleOf(ends[end], MeanOf(this->Read(ends[end])));
+  }
   for (std::size_t p = 0; p < ends[0].size(); ++p)
   {
     std::array<std::int32_t, 6> ids;
@@ -216,12 +352,12 @@ void PolyhedronCells::AddConvexSet(vtkIdType cell)
   Face unique(points->begin(), points->end());
   std::sort(unique.begin(), unique.end());
   unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
-  std::vector<Place> places;
+  std::vector<glm::dvec3> places;
   const auto isNowhere = [&](vtkIdType point)
   {
-    Place at;
-    this->Grid->GetPoint(point, at.data());
-    const bool isFinite = std::isfinite(at[0] + at[1] + at[2]);
+    glm::dvec3 at;
+    this->Grid->GetPoint(point, &at.x);
+    const bool isFinite = std::isfinite(at.x + at.y + at.z);
     if (isFinite)
     {
       places.push_back(at);
@@ -230,7 +366,7 @@ void PolyhedronCells::AddConvexSet(vtkIdType cell)
   };
   // The other points are a convex set, too.
   unique.erase(std::remove_if(unique.begin(), unique.end(), isNowhere), unique.end());
-  std::vector<Place> scaled;
+  std::vector<glm::dvec3> scaled;
   if (unique.size() < 4 || !ScaleToUnit(places, scaled))
   {
     return;
@@ -240,8 +376,7 @@ void PolyhedronCells::AddConvexSet(vtkIdType cell)
     -5.0, 6.0, -5.0, 6.0, -5.0, 6.0, static_cast<int>(unique.size()));
   for (std::size_t p = 0; p < unique.size(); ++p)
   {
-    this->Triangulator->InsertPoint(
-      static_cast<vtkIdType>(p), places[p].data(), scaled[p].data(), 0);
+    this->Triangulator->InsertPoint(static_cast<vtkIdType>(p), &places[p].x, &scaled[p].x, 0);
   }
   this->Triangulator->Triangulate();
   this->Ids->Reset();
@@ -270,7 +405,7 @@ std::int32_t PolyhedronCells::NumberOf(vtkIdType point)
   return number;
 }
 
-std::int32_t PolyhedronCells::MiddleOf(const Face& face)
+std::int32_t PolyhedronCells::MiddleOf(const Face& face, const PointValue& middle)
 {
   SharedPoints::Name name;
   for (const vtkIdType point : face)
@@ -281,28 +416,17 @@ std::int32_t PolyhedronCells::MiddleOf(const Face& face)
   const std::int32_t number = this->Shared.Find(name, next);
   if (number == next)
   {
-    this->Made.AddPoint(this->MeanOf(face));
+    this->Made.AddPoint(middle);
   }
   return number;
 }
 
-PointValue PolyhedronCells::MeanOf(const Face& points) const
+std::vector<PointValue> PolyhedronCells::Read(const Face& points) const
 {
-  const PointValue first = this->Reader.Read(points.front());
-  PointValue mean{ 0.0, 0.0, 0.0, 0.0 };
-  for (const vtkIdType id : points)
-  {
-    const PointValue point = this->Reader.Read(id);
-    for (std::size_t c = 0; c < mean.size(); ++c)
-    {
-      mean[c] += (point[c] - first[c]) / static_cast<double>(points.size());
-    }
-  }
-  for (std::size_t c = 0; c < mean.size(); ++c)
-  {
-    mean[c] += first[c];
-  }
-  return mean;
+  std::vector<PointValue> read(points.size());
+  std::transform(points.begin(), points.end(), read.begin(),
+    [this](vtkIdType point) { return this->Reader.Read(point); });
+  return read;
 }
 
 }

@@ -3,6 +3,9 @@
 #ifndef TemporalCoherence_PolyhedronCells_h
 #define TemporalCoherence_PolyhedronCells_h
 
+#include "Polyhedra/ClosedSurface.h"
+#include "Polyhedra/ConeDivision.h"
+#include "Polyhedra/FaceCutter.h"
 #include "Shapes/GivenCells.h"
 #include "Shapes/MadeCells.h"
 #include "Shapes/PointReader.h"
@@ -15,6 +18,10 @@
 #include <vtkPoints.h>
 #include <vtkType.h>
 
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -30,9 +37,10 @@ bool IsPolyhedron(int type);
 
 /// Makes linear cells of cells with many faces.
 ///
-/// All that neighbours share is made of a face alone: a triangle stays one, a quadrilateral is
-/// bilinear, as that of a hexahedron, and a face with more points becomes triangles around a point
-/// in its middle, which has the mean of its points and of their values.
+/// All that neighbours share is made of a face alone: a triangle stays one, a convex quadrilateral
+/// is bilinear, as that of a hexahedron, and a face with more points becomes triangles around a
+/// point in its middle, which has the mean of its points and of their values. A concave face
+/// becomes triangles between its points.
 class PolyhedronCells
 {
 public:
@@ -43,23 +51,56 @@ public:
   /// \return false on error
   bool Add(vtkIdType cell, std::string& error);
 
+  /// Cells that are concave, but could not be divided without leaving them.
+  std::vector<vtkIdType> Overlapping;
+
+  std::int64_t Searches = 0; ///< for a division, which may take long
+
 private:
   using Face = GivenCells::Face;
+
+  /// The surface of a cell. Points have numbers of their own in it: those of the cell come first,
+  /// then the middles of faces.
+  struct Surface
+  {
+    std::vector<Face> Faces;
+    std::vector<std::int32_t> Middles; ///< of faces; -1: the face has none
+    Face Corners;                      ///< the points of the cell, ascending
+    std::vector<PointValue> Points;
+    std::vector<glm::dvec3> Places; ///< of these points
+    std::vector<SurfacePart> Parts;
+
+    std::size_t NumberOf(vtkIdType corner) const;
+  };
 
   bool AddPolyhedron(vtkIdType cell, std::string& error);
   bool AddPrism(vtkIdType cell, std::string& error);
   void AddConvexSet(vtkIdType cell);
-  void AddConeOver(const Face& face, std::int32_t apex, vtkIdType cell);
 
+  const Surface& SurfaceOf(std::vector<Face> faces);
+  void AddParts(const Face& face);
+  bool HasConcaveFace(const std::vector<Face>& faces);
+  void AddCones(const Surface& surface, vtkIdType cell);
+  bool Divide(const Surface& surface, ConeDivision& division);
+  void AddCone(const SurfacePart& base, std::int32_t apex, const std::vector<std::int32_t>& numbers,
+    vtkIdType cell);
+
+  std::vector<std::int32_t> NumbersOf(const Surface& surface);
   std::int32_t NumberOf(vtkIdType point);
-  std::int32_t MiddleOf(const Face& face);
-  PointValue MeanOf(const Face& points) const;
+  std::int32_t MiddleOf(const Face& face, const PointValue& middle);
+  std::vector<PointValue> Read(const Face& points) const;
 
   GivenCells Given;
   vtkUnstructuredGrid* Grid;
   PointReader Reader;
   SharedPoints& Shared;
   MadeCells& Made;
+  FaceCutter Cutter;
+  DivisionWork Work;
+  Surface Last; ///< so that memory is taken once
+  std::vector<std::int32_t> FaceNumbers;
+  std::vector<PointValue> FacePoints;
+  std::vector<glm::dvec3> FacePlaces;
   vtkNew<vtkOrderedTriangulator> Triangulator;
   vtkNew<vtkIdList> Ids;
   vtkNew<vtkPoints> Corners;

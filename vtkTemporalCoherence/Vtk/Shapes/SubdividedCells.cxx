@@ -211,14 +211,17 @@ std::string HaveTooMany(const GivenCells& given, const CellsToReplace& cells)
 }
 
 /// Make linear cells of polyhedra.
+/// \param told  gets which of them are left
 /// \param error empty if the budget does not do, or if it was stopped
 bool MakePolyhedra(const GivenCells& given, const CellsToReplace& cells, const PointReader& reader,
-  MakingBudget& budget, SharedPoints& shared, MadeCells& made, std::string& error)
+  MakingBudget& budget, SharedPoints& shared, MadeCells& made, Subdivision& told,
+  std::string& error)
 {
   constexpr std::size_t cellsBetweenReports = 256;
   PolyhedronCells others(given, reader, shared, made);
   for (std::size_t c = 0; c < cells.Others.size(); ++c)
   {
+    const std::int64_t searches = others.Searches;
     if (!others.Add(cells.Others[c], error))
     {
       return false;
@@ -229,13 +232,15 @@ bool MakePolyhedra(const GivenCells& given, const CellsToReplace& cells, const P
       return false;
     }
     const double share = static_cast<double>(c) / static_cast<double>(cells.Others.size());
-    if (c % cellsBetweenReports == 0 &&
+    if ((c % cellsBetweenReports == 0 || others.Searches > searches) &&
       (!budget.Allows(made.MemoryInBytes() + shared.MemoryInBytes(), made.NumberOfCells()) ||
         !budget.GoesOn(Placed + share * (1.0 - Placed))))
     {
       return false;
     }
   }
+  told.Overlapping = static_cast<std::int64_t>(others.Overlapping.size());
+  told.Overlaps = others.Overlapping.empty() ? "" : given.NameOf(others.Overlapping.front());
   return budget.Allows(made.MemoryInBytes(), made.NumberOfCells());
 }
 
@@ -293,7 +298,7 @@ bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, 
     made->Points.resize(points.Places.size());
     if (!PlaceCurvedPoints(
           source, points, PartOf(limits.Report, Divided, Placed), made->Points.data()) ||
-      !MakePolyhedra(given, cells, reader, limits, shared, *made, error))
+      !MakePolyhedra(given, cells, reader, limits, shared, *made, division, error))
     {
       return false;
     }

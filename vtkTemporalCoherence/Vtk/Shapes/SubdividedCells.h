@@ -38,6 +38,8 @@ struct Subdivision
   double ErrorOfPoints = 0; ///< of the size of a curved cell
   double ErrorOfValues = 0; ///< of the range of values in it; NaN: not known
   DivisionLimit Limit = DivisionLimit::Goal;
+  std::int64_t Overlapping = 0; ///< of Others: not divided without leaving them
+  std::string Overlaps;         ///< the first of these
 };
 
 /// What was made of a grid that has curved cells and no others to be replaced: for other values,
@@ -73,8 +75,8 @@ std::int64_t CountCurvedCells(vtkUnstructuredGrid* grid);
 /// less if these are too many for the budget. Neighbours share all points of their faces and edges.
 /// A point between corners without a finite value gets that between the corners; a cell with a
 /// corner whose value is not a number is left out. Polyhedra become pyramids and tetrahedra around
-/// their centre, prisms become wedges around their axis, convex sets of points the tetrahedra that
-/// VTK makes of them.
+/// their centre, or around several points if they are concave, prisms become wedges around their
+/// axis, convex sets of points the tetrahedra that VTK makes of them.
 ///
 /// \param pointScalars a tuple for each point
 /// \param component negative: the length of vectors

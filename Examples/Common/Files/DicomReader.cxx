@@ -150,6 +150,15 @@ Stack StackOf(const Slices& slices)
   return stack;
 }
 
+// Between columns and between rows. VTK before 9.6 takes one for the other.
+void SpacePixels(const DicomSlice& slice, vtkImageData* image)
+{
+  if (!slice.Spacing.empty())
+  {
+    image->SetSpacing(slice.Spacing[1], slice.Spacing[0], image->GetSpacing()[2]);
+  }
+}
+
 // The samples of all slices, one after the other.
 vtkSmartPointer<vtkDataArray> SamplesOf(
   const Slices& slices, const ReadingProgress& progress, vtkImageData* first)
@@ -250,7 +259,7 @@ vtkSmartPointer<vtkDataObject> UnevenVolume(
 }
 
 // Of slices whose headers tell no places: the order is that of their numbers.
-vtkSmartPointer<vtkDataObject> ReadWithoutPlaces(
+vtkSmartPointer<vtkImageData> ReadWithoutPlaces(
   const std::string& path, const ReadingProgress& progress)
 {
   vtkNew<vtkDICOMImageReader> reader;
@@ -278,7 +287,9 @@ void ReadDicom(const std::string& path, const ReadingProgress& progress, Volume&
   }
   if (!slices.front().Position || slices.front().Orientation.empty() || slices.size() < 2)
   {
-    volume.Data = ReadWithoutPlaces(path, progress);
+    const vtkSmartPointer<vtkImageData> image = ReadWithoutPlaces(path, progress);
+    SpacePixels(slices.front(), image);
+    volume.Data = image;
     return;
   }
   if (slices.size() < series.size())
@@ -299,6 +310,7 @@ void ReadDicom(const std::string& path, const ReadingProgress& progress, Volume&
   }
   vtkNew<vtkImageData> first;
   const vtkSmartPointer<vtkDataArray> samples = SamplesOf(slices, progress, first);
+  SpacePixels(slices.front(), first);
   if (stack.IsEven)
   {
     volume.Data = EvenVolume(first, static_cast<int>(slices.size()), stack, samples);

@@ -19,9 +19,9 @@ constexpr std::size_t Preamble = 128; // bytes before the word DICM; some files 
 using Tag = std::uint32_t; // group and element
 
 constexpr Tag TransferSyntax = 0x00020010, Interpretation = 0x00280004, Rows = 0x00280010,
-              Columns = 0x00280011, Bits = 0x00280100, Pixels = 0x7fe00010, Series = 0x0020000e,
-              Position = 0x00200032, Orientation = 0x00200037, EndOfItem = 0xfffee00d,
-              EndOfSequence = 0xfffee0dd;
+              Columns = 0x00280011, PixelSpacing = 0x00280030, Bits = 0x00280100,
+              Pixels = 0x7fe00010, Series = 0x0020000e, Position = 0x00200032,
+              Orientation = 0x00200037, EndOfItem = 0xfffee00d, EndOfSequence = 0xfffee0dd;
 constexpr unsigned OpenEnd = 0xffffffffu; // the length of a sequence that an element ends
 
 // Numbers of a text, between backslashes; none if one of them is none.
@@ -130,6 +130,14 @@ private:
         break;
       case Columns:
         this->Slice.Columns = number;
+        break;
+      case PixelSpacing:
+        this->Slice.Spacing = NumbersOf(text());
+        if (this->Slice.Spacing.size() != 2 || !(this->Slice.Spacing[0] > 0.0) ||
+          !(this->Slice.Spacing[1] > 0.0))
+        {
+          this->Slice.Spacing.clear();
+        }
         break;
       case Bits:
         this->Slice.Bits = number;

@@ -18,6 +18,7 @@ struct DicomSlice
   double Components = 1.0;
   double Bytes = 0.0; // of pixels
   std::optional<vtkVector3d> Position;
+  std::vector<double> Spacing;     // between rows and between columns: 2 numbers above 0, or none
   std::vector<double> Orientation; // directions of a row and of a column: 6 numbers, or none
 
   bool HasPixels() const { return this->Bytes > 0.0 && this->Rows > 0 && this->Columns > 0; }

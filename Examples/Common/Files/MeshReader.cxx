@@ -3,6 +3,7 @@
 #include "Files/MeshReader.h"
 
 #include "Files/FileCheck.h"
+#include "Files/OneTimeStep.h"
 #include "Program/Quoted.h"
 
 #include <vtkGenericDataObjectReader.h>
@@ -137,11 +138,11 @@ vtkSmartPointer<vtkAlgorithm> OpenPlot3D(const std::string& path)
 const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats = {
-    { { ".vtu" }, OpenXml<vtkXMLUnstructuredGridReader> },
+    { { ".vtu" }, OpenXml<OneTimeStep<vtkXMLUnstructuredGridReader>> },
     { { ".pvtu" }, OpenList<vtkXMLPUnstructuredGridReader> },
-    { { ".vts" }, OpenXml<vtkXMLStructuredGridReader> },
+    { { ".vts" }, OpenXml<OneTimeStep<vtkXMLStructuredGridReader>> },
     { { ".pvts" }, OpenList<vtkXMLPStructuredGridReader> },
-    { { ".vtr" }, OpenXml<vtkXMLRectilinearGridReader> },
+    { { ".vtr" }, OpenXml<OneTimeStep<vtkXMLRectilinearGridReader>> },
     { { ".pvtr" }, OpenList<vtkXMLPRectilinearGridReader> },
     { { ".vtm", ".vtmb" }, OpenList<vtkXMLMultiBlockDataReader> },
     { { ".vth", ".vthb" }, OpenList<vtkXMLUniformGridAMRReader> },

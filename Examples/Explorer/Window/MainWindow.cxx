@@ -118,7 +118,11 @@ void MainWindow::MakeMenus()
           this->ShowState(); // at once, as the next key may need it
         });
     }
-    item->setShortcuts(QKeySequence::listFromString(command.Keys));
+    // Qt 6 takes an empty list for one key that is unknown.
+    if (*command.Keys)
+    {
+      item->setShortcuts(QKeySequence::listFromString(command.Keys));
+    }
     item->setToolTip(tr(command.Help));
     item->setStatusTip(tr(command.Help));
     this->Actions[QString(command.Name).remove('&')] = item;

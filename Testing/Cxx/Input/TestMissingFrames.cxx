@@ -32,7 +32,7 @@ void ExpectSteps(const std::string& what, const Sort& sort, bool areCells)
   const Missing other = [](int i, int j, int) { return i > 11 && j < 9; };
   const Missing none = [](int, int, int) { return false; };
   Image image = WithHoles(VTK_FLOAT, none);
-  vtkDataArray* points = image->GetPointData()->GetScalars();
+  const vtkSmartPointer<vtkDataArray> points = image->GetPointData()->GetScalars();
   vtkNew<vtkFloatArray> values;
   values->SetName("values");
   values->SetNumberOfTuples(areCells ? image->GetNumberOfCells() : image->GetNumberOfPoints());

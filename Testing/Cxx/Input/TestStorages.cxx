@@ -13,14 +13,15 @@
 #include <vtkBitArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkExplicitStructuredGrid.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVersionMacros.h>
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #include <vtkConstantArray.h>
 #include <vtkFloatArray.h>
-#include <vtkIndexedArray.h>
 #include <vtkShortArray.h>
+#include <vtkStdFunctionArray.h>
 #include <vtkStridedArray.h>
 #include <vtkTypeInt64Array.h>
 #endif
@@ -97,21 +98,31 @@ void TestOneType()
   }
 }
 
+/// A grid of hexahedra that knows its neighbours.
+void TestExplicitGrid()
+{
+  const auto plain = VtkMeshes::Unstructured(Waves(), VTK_HEXAHEDRON);
+  const auto grid = VtkMeshes::Explicit(Waves());
+  ExpectSamePicture("an explicit structured grid", grid, plain);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  grid->GetCells()->ConvertToFixedSize64BitStorage();
+  ExpectSamePicture("an explicit structured grid of fixed size", grid, plain);
+#endif
+}
+
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-/// An array of the same numbers that VTK looks up one by one.
+/// An array of the same numbers that a function gives one by one.
 Array Computed(vtkDataArray* array)
 {
-  vtkNew<vtkIdList> all;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    all->InsertNextId(i);
-  }
-  vtkNew<vtkIndexedArray<double>> computed;
+  const Array source = array;
+  const vtkIdType components = array->GetNumberOfComponents();
+  vtkNew<vtkStdFunctionArray<double>> computed;
   computed->SetName(array->GetName());
-  computed->ConstructBackend(all, array);
+  computed->ConstructBackend([source, components](vtkIdType i)
+    { return source->GetComponent(i / components, static_cast<int>(i % components)); });
   computed->SetNumberOfComponents(array->GetNumberOfComponents());
   computed->SetNumberOfTuples(array->GetNumberOfTuples());
   return computed.Get();
@@ -245,6 +256,7 @@ int TestStorages(int, char*[])
 {
   TestBits();
   TestOneType();
+  TestExplicitGrid();
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
   TestImages();
   TestChanges();

@@ -128,7 +128,7 @@ void TestInputs()
       vtkNew<vtkDoubleArray> few;
       few->SetNumberOfTuples(400);
       vtkNew<vtkImageData> image;
-      image->SetExtent(0, 2147483645, 0, 65535, 0, 2147483645);
+      image->SetDimensions(1 << 21, 1 << 21, 1 << 22);
       image->GetPointData()->SetScalars(few);
       scene.Mapper->SetInputData(image);
     });

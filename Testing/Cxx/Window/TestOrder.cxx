@@ -263,6 +263,12 @@ void TestAmbientOcclusion(bool isPlainVolume)
   const auto image = Volumes::FromFormula(61, VTK_FLOAT,
     [=](double x, double y, double z) { return isPlainVolume ? -z : -std::hypot(x, y, z - 0.3); });
   FlatScene scene(image, isPlainVolume ? 0.0 : -0.4);
+  // Since VTK 9.6 the pass wants volumes to be shaded: here with light from everywhere.
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  property->ShadeOn();
+  property->SetAmbient(1.0);
+  property->SetDiffuse(0.0);
+  property->SetSpecular(0.0);
   vtkCamera* camera = scene.Iso.Renderer->GetActiveCamera();
   camera->ParallelProjectionOff();
   camera->SetViewAngle(20.0);

@@ -7,14 +7,14 @@ import tempfile
 import unittest
 
 import numpy
-from spheres import distances, image_of, renderer_at
+from spheres import distances, renderer_at
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON, VTK_TETRA, vtkCellArray, vtkMultiBlockDataSet, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
-from vtkTemporalCoherence import isosurface, render
+from vtkTemporalCoherence import isosurface, numpy_to_image, render
 
 try:
     from vtkmodules.vtkIOExodus import vtkExodusIIWriter
@@ -24,6 +24,7 @@ except ImportError:
 
 SIZE = (120, 100)
 VALUE = 0.5
+STEP = 2.0 / 16  # between samples
 
 
 def mesh(cell_type):
@@ -32,7 +33,7 @@ def mesh(cell_type):
         cells = vtkDataSetTriangleFilter()
     else:
         cells = vtkAppendFilter()
-    image = image_of(distances())
+    image = numpy_to_image(distances()[::4, ::4, ::4], (STEP,) * 3, (-1.0,) * 3)
     image.GetPointData().GetScalars().SetName("distance")
     cells.SetInputDataObject(image)
     cells.Update()
@@ -89,6 +90,7 @@ class Readers(unittest.TestCase):
                 writer = vtkExodusIIWriter()
                 writer.SetFileName(path)
                 writer.SetInputDataObject(mesh(cell_type))
+                writer.WriteAllTimeStepsOn()  # or no values are written
                 writer.Write()
                 reader = vtkIOSSReader()
                 reader.SetFileName(path)

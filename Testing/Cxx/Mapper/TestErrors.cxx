@@ -121,14 +121,14 @@ void TestInputs()
       image->GetCellData()->SetScalars(ofPoints);
       scene.Mapper->SetInputData(image);
     });
-  // So many points that VTK's number of them overflows, and is less than that of tuples.
+  // So many points that VTK's number of them overflows.
   ExpectError("400 tuples, but the image has 9223372036854775807 points",
     [](Scene& scene)
     {
       vtkNew<vtkDoubleArray> few;
       few->SetNumberOfTuples(400);
       vtkNew<vtkImageData> image;
-      image->SetDimensions(1 << 21, 1 << 21, 1 << 22);
+      image->SetDimensions((1 << 21) + 1, (1 << 21) + 1, (1 << 22) + 2);
       image->GetPointData()->SetScalars(few);
       scene.Mapper->SetInputData(image);
     });

@@ -193,27 +193,63 @@ PointInCell FindPoint(const MeshCell& cell, const glm::dvec3& point, double tole
   }
   if (!isTetrahedron)
   {
-    SeenHexahedron seen;
-    for (std::size_t corner = 0; corner < 8; ++corner)
+    const PlacesInCell places = FindAllPlaces(cell, point);
+    if (places.Count > 0)
     {
-      const glm::dvec3 from = cell.Points[corner] - point;
-      seen.X[corner] = from.x;
-      seen.Y[corner] = from.y;
-      seen.Difference[corner] = from.z;
-      seen.T[corner] = 0.0;
-    }
-    HexahedronRoots roots;
-    FindRoots(seen, roots);
-    if (roots.Count > 0)
-    {
-      const std::array<double, 3>& at = roots.Roots[0].At;
-      found.At = 0.5 + 0.5 * glm::dvec3(at[0], at[1], at[2]);
+      found.At = places.At[0];
       found.IsIn = true;
     }
   }
   for (int a = 0; a < 3; ++a)
   {
     found.At[a] = std::isfinite(found.At[a]) ? std::clamp(found.At[a], 0.0, 1.0) : 0.5;
+  }
+  return found;
+}
+
+PlacesInCell FindAllPlaces(const MeshCell& hexahedron, const glm::dvec3& point)
+{
+  SeenHexahedron seen;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 from = hexahedron.Points[corner] - point;
+    seen.X[corner] = from.x;
+    seen.Y[corner] = from.y;
+    seen.Difference[corner] = from.z;
+    seen.T[corner] = 0.0;
+  }
+  HexahedronRoots roots;
+  FindRoots(seen, roots);
+  PlacesInCell places;
+  for (; places.Count < roots.Count; ++places.Count)
+  {
+    const std::array<double, 3>& at = roots.Roots[places.Count].At;
+    places.At[places.Count] = 0.5 + 0.5 * glm::dvec3(at[0], at[1], at[2]);
+  }
+  return places;
+}
+
+PointInCell FindPointWith(const MeshCell& cell, const glm::dvec3& point, double value)
+{
+  PointInCell found = FindPoint(cell, point);
+  if (cell.Shape == MeshCellShape::Tetrahedron)
+  {
+    return found;
+  }
+  const auto [least, most] = std::minmax_element(cell.Values.begin(), cell.Values.end());
+  const auto wrong = [&](const glm::dvec3& at) { return std::abs(ValueAt(cell, at) - value); };
+  double best = wrong(found.At);
+  if (best > SameValue * (*most - *least))
+  {
+    const PlacesInCell places = FindAllPlaces(cell, point);
+    for (std::size_t i = 0; i < places.Count; ++i)
+    {
+      if (wrong(places.At[i]) < best)
+      {
+        best = wrong(places.At[i]);
+        found = { places.At[i], true };
+      }
+    }
   }
   return found;
 }

@@ -3,11 +3,13 @@
 #ifndef TemporalCoherence_CellPoints_h
 #define TemporalCoherence_CellPoints_h
 
+#include "Mesh/KernelsCells.h"
 #include "Mesh/MeshCell.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 
 namespace TemporalCoherence
 {
@@ -31,6 +33,23 @@ constexpr double LeastCornerVolume = 1e-12;
 /// nearest.
 /// \param tolerance by which coordinates may lie outside of the cell
 PointInCell FindPoint(const MeshCell& cell, const glm::dvec3& point, double tolerance = 1e-9);
+
+/// How far the value at the place of a point may be from that which the point is known to have, by
+/// the range of values in the cell. Otherwise it is the place of another part of a folded cell.
+constexpr double SameValue = 1e-3;
+
+/// The same in a cell that may be folded: of several places, that one is found whose value is next
+/// to a given one. NaN: no value is known.
+PointInCell FindPointWith(const MeshCell& cell, const glm::dvec3& point, double value);
+
+/// All places of a point in a hexahedron.
+struct PlacesInCell
+{
+  std::size_t Count = 0;
+  std::array<glm::dvec3, Crossings::MostInCell> At;
+};
+
+PlacesInCell FindAllPlaces(const MeshCell& hexahedron, const glm::dvec3& point);
 
 /// The weights of the points of a cell. A tetrahedron has four.
 std::array<double, 8> WeightsAt(const MeshCell& cell, const glm::dvec3& at);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 // This file is compiled once for each kind of vectors. The best one for the machine is chosen at
 // run time.
@@ -278,9 +279,12 @@ struct PointVector
       }
       this->Which[lane] = point;
     }
-    const auto which = hn::Load(DI(), this->Which);
-    this->At = { hn::GatherIndex(d, points[0].data(), which),
-      hn::GatherIndex(d, points[1].data(), which), hn::GatherIndex(d, points[2].data(), which) };
+    this->At = { this->Gather(points[0]), this->Gather(points[1]), this->Gather(points[2]) };
+  }
+
+  HWY_INLINE V Gather(const TileArray<double>& numbers) const
+  {
+    return hn::GatherIndex(D(), numbers.data(), hn::Load(DI(), this->Which));
   }
 
   HWY_INLINE void Put(const Axes<V>& values, PointsInCells::Vectors& points) const
@@ -317,6 +321,17 @@ private:
   std::size_t Count = 0;
 };
 
+/// A bound of the range of values, which is not far from it.
+inline double RangeOf(const PlacedCell& cell)
+{
+  double sum = 0.0;
+  for (std::size_t k = 25; k < PlacedCell::Size; ++k)
+  {
+    sum += 2.0 * std::abs(cell.Numbers[k]);
+  }
+  return sum;
+}
+
 /// \param which points of the cell, one bit each
 /// \return those that are found; results of others have no meaning
 std::uint64_t GradientsInCell(const PlacedCell& cell, std::uint64_t which, PointsInCells& points)
@@ -337,8 +352,16 @@ std::uint64_t GradientsInCell(const PlacedCell& cell, std::uint64_t which, Point
     Axes<V> at, gradient;
     const auto isIn = FindPlaces(d, placed, point, at);
     const auto isSloped = FindSlopes(d, placed, at, gradient);
+    auto isFound = hn::And(isIn, isSloped);
+    if (points.HasValues)
+    {
+      // Values that are not known are NaN.
+      const V value = hn::Sub(vector.Gather(points.Value), hn::Set(d, cell.FirstValue));
+      const V wrong = hn::Abs(hn::Sub(placed.Value.ValueAt(at), value));
+      isFound = hn::AndNot(hn::Gt(wrong, hn::Set(d, SameValue * RangeOf(cell))), isFound);
+    }
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::And(isIn, isSloped), bits);
+    hn::StoreMaskBits(d, isFound, bits);
     found |= vector.PointsOf(bits[0]);
     if (points.HasPlaces)
     {
@@ -406,7 +429,8 @@ void FindCellGradients(const MeshCell* cells, std::size_t numberOfCells, PointsI
     ForEachRay(ofCells[cell] & ~found,
       [&](std::size_t point)
       {
-        const glm::dvec3 at = FindPoint(cells[cell], Get(points.Point, point)).At;
+        const glm::dvec3 at =
+          FindPointWith(cells[cell], Get(points.Point, point), points.ValueAt(point)).At;
         Set(points.At, point, at);
         Set(points.Gradient, point, GradientAt(cells[cell], at));
       });

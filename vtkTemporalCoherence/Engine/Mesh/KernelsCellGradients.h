@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -29,11 +30,20 @@ struct PointsInCells
   std::size_t Count = 0;
   TileArray<std::uint8_t> Cell; ///< the number of each point's cell
   Vectors Point;                ///< in the coordinates of the mesh
+  /// Values that the points are known to have, or NaN: in a folded cell, they tell its places
+  /// apart.
+  TileArray<double> Value;
+  bool HasValues = false;
   /// At is wanted. Gradients of tetrahedra do not need it.
   bool HasPlaces = true;
 
   Vectors At;       ///< result: as PointInCell::At
   Vectors Gradient; ///< result: as GradientAt
+
+  double ValueAt(std::size_t i) const
+  {
+    return this->HasValues ? this->Value[i] : std::numeric_limits<double>::quiet_NaN();
+  }
 
   void Set(std::size_t i, std::size_t cell, const glm::dvec3& point)
   {

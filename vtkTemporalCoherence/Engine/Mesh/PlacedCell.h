@@ -37,11 +37,13 @@ struct alignas(64) PlacedCell
 
   std::array<double, Size> Numbers; ///< coefficients of x, y, z and the value
   glm::dvec3 Origin;
-  double PerLength; ///< a power of two
+  double PerLength;  ///< a power of two
+  double FirstValue; ///< which the function of the value is 0 at
 
   void Place(const MeshCell& cell)
   {
     this->Origin = cell.Points[0];
+    this->FirstValue = cell.Values[0];
     const auto count = static_cast<std::size_t>(cell.NumberOfPoints());
     double largest = 0.0;
     for (std::size_t i = 1; i < count; ++i)

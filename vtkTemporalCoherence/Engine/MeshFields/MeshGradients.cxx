@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -163,15 +164,30 @@ void FindConstant(const MeshTree& tree, const HitCells& cells, const GradientTil
   }
 }
 
+/// The values that hits have.
+void TellValues(
+  const GradientQuery& query, const GradientTile& tile, MeshKernels::PointsInCells& points)
+{
+  points.HasValues = tile.Kinds && query.Isovalues;
+  for (std::size_t i = 0; points.HasValues && i < points.Count; ++i)
+  {
+    const HitKind kind = (*tile.Kinds)[i];
+    const bool isSurface = kind == HitKind::Entry || kind == HitKind::Exit;
+    points.Value[i] = isSurface ? (*query.Isovalues)[static_cast<std::size_t>(tile.Surfaces[i])]
+                                : std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
 /// The same in cells of all kinds.
 void FindAtPoints(const MeshTree& tree, const PointGradients* averaged, const HitCells& cells,
-  const glm::dmat4& indexFromWorld, const GradientTile& tile)
+  const GradientQuery& query, const GradientTile& tile)
 {
   MeshKernels::PointsInCells points;
   points.Count = tile.Rays.Count;
   points.Cell = cells.OfHit;
   points.HasPlaces = averaged != nullptr;
-  FindHitPlaces(tile.Rays, indexFromWorld, tree.Low(), tree.Scale(), points.Point);
+  FindHitPlaces(tile.Rays, query.IndexFromWorld, tree.Low(), tree.Scale(), points.Point);
+  TellValues(query, tile, points);
   MeshKernels::FindCellGradients(cells.Cells.data(), cells.Count, points);
   if (averaged)
   {
@@ -208,7 +224,7 @@ void FindMeshGradients(const MeshTree& tree, const PointGradients* averaged,
   }
   else
   {
-    FindAtPoints(tree, averaged, cells, query.IndexFromWorld, tile);
+    FindAtPoints(tree, averaged, cells, query, tile);
   }
   FillUp(tile);
 }

@@ -3,6 +3,7 @@
 #include "MeshFields/MeshPlaces.h"
 
 #include "Mesh/CellPoints.h"
+#include "MeshTiles/CellFolds.h"
 
 #include <algorithm>
 #include <array>
@@ -72,14 +73,17 @@ void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, const Visit& vi
     });
 }
 
-/// The face of a cell through which a ray came to a place in it.
+/// The face of a cell through which a ray came to a place in it, or goes on from there.
 struct EntryFace
 {
   double Distance;   ///< in the coordinates of the mesh; infinite if the cell is flat there
   glm::dvec3 Normal; ///< out of the cell, of unit length
 };
 
-EntryFace FindEntryFace(const MeshCell& cell, const glm::dvec3& at, const glm::dvec3& direction)
+/// \param mayLeave a face through which the ray leaves the cell counts, too; the normal is turned
+///                 against the ray then
+EntryFace FindEntryFace(
+  const MeshCell& cell, const glm::dvec3& at, const glm::dvec3& direction, bool mayLeave = false)
 {
   // On a face a coordinate is 0 or 1, or those of a tetrahedron sum to 1. The gradient of such a
   // coordinate is the face's normal, and its length tells how fast it grows away from the face.
@@ -91,12 +95,13 @@ EntryFace FindEntryFace(const MeshCell& cell, const glm::dvec3& at, const glm::d
   const glm::dmat3 rows = glm::transpose(glm::inverse(MeshKernels::JacobianAt(cell, at)));
   const auto consider = [&](double inCell, const glm::dvec3& inward)
   {
-    const double length = glm::length(inward), rise = glm::dot(inward, direction);
+    const double length = glm::length(inward), along = glm::dot(inward, direction);
+    const double rise = mayLeave ? std::abs(along) : along;
     const double ago = (std::abs(inCell) + rounding) / rise;
     if (std::isfinite(length) && rise > 0.0 && ago < last)
     {
       last = ago;
-      entry = { std::abs(inCell) / length, -inward / length };
+      entry = { std::abs(inCell) / length, (along < 0.0 ? inward : -inward) / length };
     }
   };
   const bool isTetrahedron = cell.Shape == MeshCellShape::Tetrahedron;
@@ -113,6 +118,35 @@ EntryFace FindEntryFace(const MeshCell& cell, const glm::dvec3& at, const glm::d
     consider(1.0 - at.x - at.y - at.z, -(rows[0] + rows[1] + rows[2]));
   }
   return entry;
+}
+
+/// A folded cell may have several places for a point. That on a face counts. Where the cell bulges
+/// out beyond the face, the ray comes to it from inside.
+EntryFace FindFoldedFace(const MeshCell& cell, const glm::dvec3& point, const glm::dvec3& direction)
+{
+  glm::dvec3 low = cell.Points[0], high = low;
+  for (const glm::dvec3& corner : cell.Points)
+  {
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  EntryFace face{ std::numeric_limits<double>::infinity(), glm::dvec3(0.0) };
+  // By rounding, the point may lie beside the cell.
+  constexpr double rounding = 1e-9;
+  for (const double step : { 0.0, rounding, -rounding })
+  {
+    const MeshKernels::PlacesInCell places = MeshKernels::FindAllPlaces(
+      cell, point + step * glm::distance(low, high) * glm::normalize(direction));
+    for (std::size_t i = 0; i < places.Count; ++i)
+    {
+      for (const bool mayLeave : { false, true })
+      {
+        const EntryFace other = FindEntryFace(cell, places.At[i], direction, mayLeave);
+        face = other.Distance < face.Distance ? other : face;
+      }
+    }
+  }
+  return face;
 }
 
 }
@@ -141,8 +175,15 @@ glm::dvec3 MeshFaceNormal(const MeshTree& tree, const CapPoint& cap, double& nea
   }
   MeshCell cell;
   tree.Reader().Read(cap.Cell, cell);
-  const glm::dvec3 at = MeshKernels::FindPoint(cell, tree.ToMesh(cap.At), beside).At;
-  const EntryFace face = FindEntryFace(cell, at, cap.Direction);
+  const glm::dvec3 point = tree.ToMesh(cap.At);
+  const MeshKernels::PointInCell place = MeshKernels::FindPoint(cell, point, beside);
+  EntryFace face = FindEntryFace(cell, place.At, cap.Direction);
+  const bool isAtFace = place.IsIn && face.Distance < OnFace * tree.Scale();
+  if (!isAtFace && cell.Shape == MeshCellShape::Hexahedron && MeshKernels::MayFold(cell))
+  {
+    const EntryFace other = FindFoldedFace(cell, point, cap.Direction);
+    face = !place.IsIn || other.Distance < face.Distance ? other : face;
+  }
   const double distance = face.Distance / tree.Scale();
   if (!(distance < nearest))
   {

@@ -248,7 +248,7 @@ void ComputeNormals(
   std::array<Array<double>, 3> gradients;
   IndexGradients(
     { source.Samples, source.Transform.IndexFromWorld, source.FiniteRange, &source.Isovalues },
-    { hits.Rays, hits.Surface, gradients, &hits.Cell, hits.Gradients });
+    { hits.Rays, hits.Surface, gradients, &hits.Cell, hits.Gradients, &hits.Kind });
   if (gradientsFound)
   {
     *gradientsFound = gradients;

@@ -42,6 +42,8 @@ struct GradientTile
   const RayBatch::Array<CellNumber>* Cells = nullptr;
   /// Of hits in a mesh. Null: none is known.
   const KnownGradients* Known = nullptr;
+  /// Surfaces have their isovalue, caps do not. Null: it is not known which these are.
+  const RayBatch::Array<HitKind>* Kinds = nullptr;
 };
 
 /// Find the gradients of a field of any kind.

@@ -89,9 +89,17 @@ protected:
     const glm::dvec3 up = std::abs(direction.z) > 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
     const double near = std::max(1e-3 * radius, distance - 2.0 * radius);
     const double far = distance + 3.0 * radius, width = radius * std::exp(this->Around(-2.0, 2.0));
-    const glm::dmat4 projection = this->Below(2) == 0
+    const bool isParallel = this->Below(2) == 0;
+    glm::dmat4 oblique(1.0);
+    if (!isParallel && this->Below(2) == 0)
+    {
+      // What the projection divides by is not the distance along the optical axis.
+      oblique[0][2] = this->Around(0.0, 0.5);
+      oblique[1][2] = this->Around(0.0, 0.5);
+    }
+    const glm::dmat4 projection = isParallel
       ? glm::ortho(-width, width, -width, width, near, far)
-      : glm::perspective(this->Around(0.8, 0.7), 1.0, near, far);
+      : glm::perspective(this->Around(0.8, 0.7), 1.0, near, far) * oblique;
     View view;
     EXPECT_TRUE(
       MakeView(glm::lookAt(eye, middle, up), projection, { near, far }, { Pixels, Pixels }, view));

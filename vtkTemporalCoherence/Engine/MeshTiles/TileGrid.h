@@ -207,7 +207,7 @@ private:
     return { rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] };
   }
 
-  /// How far a ray comes for a unit of depth: an affine function of the pixel.
+  /// How far a ray comes for a unit of depth, as RayBatch has it: an affine function of the pixel.
   static glm::dvec3 AheadOf(const RayBatch& rays, std::size_t ray)
   {
     return rays.PerDepth[ray] * DirectionOf(rays, ray);

@@ -36,7 +36,9 @@ public:
   /// The t from which samples are counted.
   double EntryOf(const RayBatch& rays, const WorldDirections& world, std::size_t ray) const
   {
-    double entry = this->Key.View.Near * rays.PerDepth[ray];
+    const glm::dvec3 direction(world[0][ray], world[1][ray], world[2][ray]);
+    const View& view = this->Key.View;
+    double entry = view.Near / glm::dot(direction, view.Forward);
     for (std::size_t a = 0; a < 3; ++a)
     {
       const double last = this->Key.Samples.Dimensions[static_cast<int>(a)] - 1;
@@ -44,7 +46,6 @@ public:
       const double toLast = (last - rays.Origin[a][ray]) * rays.Inverse[a][ray];
       entry = std::max(entry, std::min(toFirst, toLast));
     }
-    const glm::dvec3 direction(world[0][ray], world[1][ray], world[2][ray]);
     const glm::dvec3 inIndex(rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray]);
     const glm::dvec3 origin(this->Key.Transform.WorldFromIndex * glm::dvec4(inIndex, 1.0));
     for (const glm::dvec4& plane : this->Key.Region.Clips)

@@ -69,9 +69,11 @@ HWY_INLINE void SetUpVector(
   const V forward =
     hn::Add(hn::Add(hn::Set(d, source.Forward.x), hn::Mul(x, hn::Set(d, source.Forward.y))),
       hn::Mul(y, hn::Set(d, source.Forward.z)));
-  const V perDepth = hn::Div(length, forward);
-  V begin = hn::Mul(hn::Set(d, source.Near), perDepth);
-  V end = hn::Mul(hn::Set(d, source.Far), perDepth);
+  // A user's transform may make planes of one depth oblique to the optical axis. Rays are affine in
+  // the pixel where they come to such a plane, but not where they come to a clipping plane.
+  const V perForward = hn::Div(length, forward);
+  V begin = hn::Mul(hn::Set(d, source.Near), perForward);
+  V end = hn::Mul(hn::Set(d, source.Far), perForward);
 
   const V perLength = hn::Div(one, length);
   if (world)
@@ -104,7 +106,7 @@ HWY_INLINE void SetUpVector(
     hn::StoreU(along, d, &rays.Direction[a][i]);
     hn::StoreU(inverse, d, &rays.Inverse[a][i]);
   }
-  hn::StoreU(perDepth, d, &rays.PerDepth[i]);
+  hn::StoreU(length, d, &rays.PerDepth[i]);
   hn::StoreU(begin, d, &rays.Begin[i]);
   hn::StoreU(begin, d, &rays.WalkBegin[i]);
   hn::StoreU(end, d, &rays.End[i]);

@@ -4,6 +4,7 @@
 
 #include "Blending/SegmentReader.h"
 #include "Blending/SegmentWalk.h"
+#include "Blending/VisibleBands.h"
 #include "Projections/KernelsShares.h"
 #include "Projections/ShareLook.h"
 #include "Projections/ShareTable.h"
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -42,7 +44,11 @@ public:
   {
     if (!this->Active)
     {
-      this->All.BuildVisible(this->Samples, *scene.Ranges, { { -Infinity, Infinity } });
+      // Samples tell which cells an average takes into account. Values between them may be rounded
+      // into its range, from far away if one sample is.
+      const ValueBand all{ -Infinity, Infinity };
+      this->All.BuildVisible(this->Samples, *scene.Ranges,
+        this->IsAverage ? *VisibleBands(scene.Key.Volume) : std::vector<ValueBand>{ all });
       this->Active = &this->All;
     }
     if (this->IsAverage)
@@ -108,7 +114,7 @@ private:
   SegmentReader<T> Reader;
   SharesKernels::SharedVolume Volume;
   const ActiveCells* Active;
-  ActiveCells All; ///< all cells, if none are left out
+  ActiveCells All; ///< all cells that count, if no others are left out
   SegmentsKernels::SeenBins Seen;
 };
 

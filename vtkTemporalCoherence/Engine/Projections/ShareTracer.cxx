@@ -51,6 +51,10 @@ public:
           {
             for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
             {
+              if (this->IsAverage && !this->MayCount(segment.Samples[part]))
+              {
+                continue;
+              }
               if (this->Samples.AreAsked())
               {
                 this->AddSamples(segment, entry, part, ray, seen);
@@ -165,6 +169,14 @@ private:
           seen.First[ray] = std::min(seen.First[ray], segment.DistanceAt(share));
         }
       });
+  }
+
+  /// True if an average takes a value of a cell into account. Values between samples may be rounded
+  /// into the range, from far away if one sample is.
+  bool MayCount(const Corners<double>& samples) const
+  {
+    const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
+    return *most >= this->RangeEnds[0] && *least <= this->RangeEnds[1];
   }
 
   /// True if an average takes a value into account.

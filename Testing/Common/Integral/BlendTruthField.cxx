@@ -70,7 +70,7 @@ double BlendTruthField::Sample(std::size_t component, const glm::ivec3& at) cons
     { return static_cast<double>(static_cast<const decltype(type)*>(field.Samples)[place]); });
 }
 
-/// A central difference, or one-sided at the boundary.
+/// A central difference, or one-sided at the boundary and beside a sample that is not finite.
 glm::dvec3 BlendTruthField::GradientOfSample(std::size_t component, const glm::ivec3& at) const
 {
   glm::dvec3 gradient;
@@ -80,6 +80,8 @@ glm::dvec3 BlendTruthField::GradientOfSample(std::size_t component, const glm::i
     glm::ivec3 low = at, high = at;
     low[axis] = std::max(at[axis] - 1, 0);
     high[axis] = std::min(at[axis] + 1, static_cast<int>(planes.size()) - 1);
+    low[axis] = std::isfinite(this->Sample(component, low)) ? low[axis] : at[axis];
+    high[axis] = std::isfinite(this->Sample(component, high)) ? high[axis] : at[axis];
     gradient[axis] = (this->Sample(component, high) - this->Sample(component, low)) /
       (planes[static_cast<std::size_t>(high[axis])] - planes[static_cast<std::size_t>(low[axis])]);
   }

@@ -3,6 +3,7 @@
 #include "Acceleration/HiddenCells.h"
 #include "BlendCase.h"
 #include "BlendFrames.h"
+#include "Fields/Coordinates.h"
 #include "Fields/RectilinearKind.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -207,6 +208,13 @@ TEST_P(BlendScenes, ValuesThatAreNotFinite)
     this->Key.Volume.Looks[0].Material.Shade = isShaded;
     ExpectBlendTruth(this->Key);
   }
+  // Gradients of other kinds are read elsewhere.
+  const auto coordinates = Stretched(BlendSize, 3.0, 5);
+  FrameKey grid = this->Key;
+  grid.Samples.Kind = RectilinearKind(coordinates);
+  ExpectBlendTruth(grid, 7, coordinates.get());
+  this->Key.Samples.Between = Interpolation::Nearest;
+  ExpectBlendTruth(this->Key, 7);
 }
 
 TEST_P(BlendScenes, WindowAndLevel)

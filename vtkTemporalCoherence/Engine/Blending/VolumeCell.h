@@ -8,9 +8,13 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #include <hwy/base.h>
 
@@ -22,7 +26,7 @@ struct alignas(64) VolumeCell
 {
   std::array<float, 8> Values; ///< in bins
   /// By axis: the difference of the samples before and behind a corner, in bins. That is twice the
-  /// gradient.
+  /// gradient. Beside a sample that is not finite, gradients are one-sided.
   std::array<std::array<float, 8>, 3> Gradients;
 };
 
@@ -63,6 +67,11 @@ public:
       this->ReadAnywhere(cell, around);
     }
     around.Store(read);
+    if (!std::is_integral_v<T> && !AreFinite(read))
+    {
+      around.MakeOneSided();
+      around.Store(read);
+    }
   }
 
 private:
@@ -97,8 +106,43 @@ private:
       }
     }
 
+    /// Replace samples beside the cell that are not finite, so that differences over two steps
+    /// become twice the ones over the inner step. (No ray sees a cell with such a sample.)
+    void MakeOneSided()
+    {
+      constexpr int steps[3] = { 1, 4, 16 };
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const int sides[3] = { corner & 1, corner >> 1 & 1, corner >> 2 };
+        const int inner = 21 + sides[0] * steps[0] + sides[1] * steps[1] + sides[2] * steps[2];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const int outwards = sides[axis] == 0 ? -steps[axis] : steps[axis];
+          float& outer = this->All[inner + outwards];
+          outer =
+            std::isfinite(outer) ? outer : 2.0f * this->All[inner] - this->All[inner - outwards];
+        }
+      }
+    }
+
     float All[64]; ///< [x + 4 y + 16 z]
   };
+
+  /// True if all gradients of a cell are numbers: their largest bits, as numbers grow with them.
+  static bool AreFinite(const VolumeCell& read)
+  {
+    std::uint32_t largest = 0;
+    for (const auto& along : read.Gradients)
+    {
+      for (const float gradient : along)
+      {
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &gradient, sizeof(bits));
+        largest = std::max(largest, bits & 0x7fffffffu);
+      }
+    }
+    return largest < 0x7f800000u;
+  }
 
   HWY_INLINE float BinOf(T sample) const
   {

@@ -73,7 +73,7 @@ public:
     const RayBatch& rays, std::size_t ray, const SegmentVisitor& visit) const = 0;
 
   /// The gradients of a component at the corners of a cell: central differences, or one-sided ones
-  /// at the boundary.
+  /// at the boundary and beside a sample that is not finite.
   virtual void FindGradients(
     std::size_t component, const glm::ivec3& cell, CornerGradients& gradients) const = 0;
 

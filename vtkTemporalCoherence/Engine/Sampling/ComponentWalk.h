@@ -89,6 +89,8 @@ private:
   {
   public:
     Steps(const ComponentWalk& walk, const TypedField<T>& samples, const glm::ivec3& cell)
+      : Walk(walk)
+      , Cell(cell)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
@@ -101,9 +103,7 @@ private:
           const int low = std::max(at - 1, 0), high = std::min(at + 1, walk.Count[axis]);
           this->Low[a][s] = (low - at) * samples.Strides[axis];
           this->High[a][s] = (high - at) * samples.Strides[axis];
-          this->PerLength[a][s] = 1.0 /
-            (walk.Grid ? walk.Grid->At(axis, high) - walk.Grid->At(axis, low)
-                       : static_cast<double>(high - low));
+          this->PerLength[a][s] = 1.0 / walk.LengthBetween(axis, low, high);
         }
       }
     }
@@ -120,18 +120,38 @@ private:
       for (std::size_t a = 0; a < 3; ++a)
       {
         const std::size_t side = sides[a];
-        gradient[static_cast<int>(a)] = this->PerLength[a][side] *
-          (static_cast<double>(origin[this->High[a][side]]) -
-            static_cast<double>(origin[this->Low[a][side]]));
+        const auto low = static_cast<double>(origin[this->Low[a][side]]);
+        const auto high = static_cast<double>(origin[this->High[a][side]]);
+        gradient[static_cast<int>(a)] = std::isfinite(low) && std::isfinite(high)
+          ? this->PerLength[a][side] * (high - low)
+          : this->AlongEdge(origin, static_cast<int>(a), side != 0);
       }
       return gradient;
     }
 
   private:
+    /// The gradient along the edge of the cell alone, where a sample beside it is not finite.
+    double AlongEdge(const T* corner, int axis, bool isBehind) const
+    {
+      const std::int64_t stride = this->Stride[static_cast<std::size_t>(axis)];
+      const T* const low = corner - (isBehind ? stride : 0);
+      const int at = this->Cell[axis];
+      return (static_cast<double>(low[stride]) - static_cast<double>(*low)) /
+        this->Walk.LengthBetween(axis, at, at + 1);
+    }
+
+    const ComponentWalk& Walk;
+    glm::ivec3 Cell;
     std::array<std::int64_t, 3> Stride;
     std::array<std::array<std::int64_t, 2>, 3> Low, High; ///< by axis and side of the cell
     std::array<std::array<double, 2>, 3> PerLength;
   };
+
+  double LengthBetween(int axis, int low, int high) const
+  {
+    return this->Grid ? this->Grid->At(axis, high) - this->Grid->At(axis, low)
+                      : static_cast<double>(high - low);
+  }
 
   /// \return false if a cell holds nothing
   bool Read(const glm::ivec3& cell, ComponentSegment& segment) const

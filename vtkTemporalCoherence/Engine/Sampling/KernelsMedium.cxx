@@ -208,7 +208,7 @@ private:
       {
         step[a] = hn::Mul(gradient[a], hn::Set(d, part.PerStep[a]));
       }
-      // Beside a sample that is no number, gradients are none: the largest there are.
+      // Differences beyond single precision may give no number: they are the largest there are.
       const V steepness = hn::Sqrt(light::Dot(step, step));
       const V largest = hn::Set(d, std::numeric_limits<float>::max());
       share = light::OpacityOf(

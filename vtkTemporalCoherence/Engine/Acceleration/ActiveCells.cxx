@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceleration/ActiveCells.h"
 
+#include "Acceleration/ValuesInBand.h"
 #include "Scene/CellBox.h"
 #include "Scene/Parallel.h"
 
@@ -27,7 +28,7 @@ bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<ValueB
     {
       return false;
     }
-    if (band.High > min)
+    if (ReachInto(band, min, max))
     {
       return true;
     }

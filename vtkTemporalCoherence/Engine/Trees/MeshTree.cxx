@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/MeshTree.h"
 
+#include "Acceleration/ValuesInBand.h"
+
 #include <cmath>
 
 namespace TemporalCoherence
@@ -121,7 +123,7 @@ std::uint64_t MeshTree::CellsIn(std::int64_t leaf, const std::vector<ValueBand>&
   {
     const CellRange range = this->Cells.ReadRange(this->CellAt(rank));
     const bool isActive = std::any_of(bands.begin(), bands.end(),
-      [&](const ValueBand& band) { return range.Max >= band.Low && range.Min < band.High; });
+      [&](const ValueBand& band) { return ReachInto(band, range.Min, range.Max); });
     active |= static_cast<std::uint64_t>(isActive) << (rank - first);
   }
   return active;

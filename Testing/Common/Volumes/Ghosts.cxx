@@ -80,6 +80,15 @@ void HidePoints(vtkImageData* image, double chance, unsigned seed)
     });
 }
 
+void AddFlags(vtkDataSetAttributes* attributes, vtkIdType count)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(Attributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(count);
+  ghosts->FillValue(0);
+  attributes->AddArray(ghosts);
+}
+
 void Remove(vtkImageData* image)
 {
   image->GetCellData()->RemoveArray(Attributes::GhostArrayName());

@@ -5,9 +5,12 @@
 
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <vtkType.h>
+
 #include <functional>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataSetAttributes;
 class vtkImageData;
 VTK_ABI_NAMESPACE_END
 
@@ -27,6 +30,9 @@ void HideCells(vtkImageData* image, double chance, unsigned seed);
 
 /// Hide each point with some probability; any point may be a duplicate.
 void HidePoints(vtkImageData* image, double chance, unsigned seed);
+
+/// Give points or cells a ghost array of so many flags, which hide nothing.
+void AddFlags(vtkDataSetAttributes* attributes, vtkIdType count);
 
 /// Remove both ghost arrays.
 void Remove(vtkImageData* image);

@@ -6,6 +6,7 @@
 
 #include "Truth/Agreement.h"
 #include "Truth/ImageBlocks.h"
+#include "Volumes/Ghosts.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -361,13 +362,39 @@ void TestMistakes()
       other->DeepCopy(fourth(tree)->GetPointData()->GetScalars());
       fourth(tree)->GetPointData()->SetScalars(other);
     });
-  ExpectError("of 9 tuples, but needs",
+  ExpectError("of 9 tuples, but ",
     [&](vtkMultiBlockDataSet* tree)
     {
       vtkNew<vtkFloatArray> few;
       few->SetNumberOfTuples(9);
       fourth(tree)->GetPointData()->SetScalars(few);
     });
+  // More values than cells are those of other cells.
+  ExpectError(
+    "Block 4 ('the fourth') has an array (unnamed) of ",
+    [&](vtkMultiBlockDataSet* tree)
+    {
+      for (unsigned int i = 0; i < tree->GetNumberOfBlocks(); ++i)
+      {
+        auto* block = vtkImageData::SafeDownCast(tree->GetBlock(i));
+        vtkNew<vtkFloatArray> values;
+        values->SetNumberOfTuples(block->GetNumberOfCells() + (i == 3 ? 1 : 0));
+        values->FillValue(60.0f);
+        block->GetCellData()->SetScalars(values);
+      }
+    },
+    [](Scene& scene) { scene.Mapper->SetScalarModeToUseCellData(); });
+  for (const vtkIdType more : { -1, 1 })
+  {
+    ExpectError("Block 4 ('the fourth') has a ghost array 'vtkGhostType' of ",
+      [&](vtkMultiBlockDataSet* tree)
+      {
+        vtkImageData* const block = fourth(tree);
+        Ghosts::AddFlags(block->GetCellData(), block->GetNumberOfCells() + more);
+      });
+  }
+  ExpectError("Block 4 ('the fourth') has a ghost array 'vtkGhostType' of 9 tuples",
+    [&](vtkMultiBlockDataSet* tree) { Ghosts::AddFlags(fourth(tree)->GetPointData(), 9); });
   ExpectError(
     "by its name with SelectScalarArray",
     [&](vtkMultiBlockDataSet* tree)

@@ -8,6 +8,8 @@
 #include "Checks/Expect.h"
 #include "Scenes/Mistake.h"
 #include "Scenes/Scene.h"
+#include "Volumes/AmrGrids.h"
+#include "Volumes/Ghosts.h"
 #include "Volumes/Volumes.h"
 #include "Volumes/VtkMeshes.h"
 
@@ -24,7 +26,6 @@
 #include <vtkTestErrorObserver.h>
 #include <vtkTrivialProducer.h>
 #include <vtkTypeInt32Array.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -216,15 +217,40 @@ void TestScalars()
       scene.Mapper->SetVectorModeToComponent();
       scene.Mapper->SetVectorComponent(3);
     });
-  ExpectRefused("of 7 tuples of 1 component(s), but 343 cells",
-    [](Grid& grid, Scene&)
+  for (const vtkIdType flags : { 7, 344 })
+  {
+    ExpectRefused(std::to_string(flags) + " tuples of 1 component(s), but 343 cells",
+      [&](Grid& grid, Scene&) { Ghosts::AddFlags(grid->GetCellData(), flags); });
+  }
+}
+
+/// Components that no array has, where the lengths of vectors were drawn before, also of adaptive
+/// grids.
+void TestComponents()
+{
+  AmrTestLevels levels;
+  levels.Boxes = { { { glm::ivec3(0), glm::ivec3(7) } }, { { glm::ivec3(4), glm::ivec3(11) } } };
+  levels.Ratios = { 2 };
+  const auto amr = MakeAmr(
+    levels, [](const glm::dvec3& at) { return 200.0 - 20.0 * glm::distance(at, glm::dvec3(4.0)); });
+  const Grid balls = Balls();
+  for (vtkDataObject* data :
+    { static_cast<vtkDataObject*>(amr), static_cast<vtkDataObject*>(balls) })
+  {
+    for (const int component : { -1, 1, 256 })
     {
-      vtkNew<vtkUnsignedCharArray> ghosts;
-      ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-      ghosts->SetNumberOfTuples(7);
-      ghosts->FillValue(0);
-      grid->GetCellData()->AddArray(ghosts);
-    });
+      Scene scene(nullptr, { 150.0 });
+      scene.Mapper->SetInputDataObject(data);
+      scene.Mapper->SetVectorModeToMagnitude();
+      scene.LookFrom(1.0, 2.0, 0.5);
+      Mistake mistake(scene, "VectorComponent is " + std::to_string(component) + ", but array ");
+      scene.Mapper->SetVectorModeToComponent();
+      scene.Mapper->SetVectorComponent(component);
+      mistake.ExpectRefused();
+      scene.Mapper->SetVectorModeToMagnitude();
+      mistake.ExpectMended();
+    }
+  }
 }
 
 void TestSettings()
@@ -327,6 +353,7 @@ int TestGridErrors(int, char*[])
   TestCells();
   TestWithoutVolume();
   TestScalars();
+  TestComponents();
   TestSettings();
   TestBlocks();
   TestEmptyPictures();

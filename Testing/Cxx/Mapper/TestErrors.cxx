@@ -8,6 +8,7 @@
 #include "Checks/Expect.h"
 #include "Scenes/Mistake.h"
 #include "Scenes/Scene.h"
+#include "Volumes/Ghosts.h"
 #include "Volumes/Volumes.h"
 
 #include <vtkCellData.h>
@@ -101,7 +102,7 @@ void TestInputs()
       image->GetPointData()->SetScalars(few);
       scene.Mapper->SetInputData(image);
     });
-  ExpectError("19 tuples, but the image has 6859 cells",
+  ExpectError("19 tuples, but 6859 cells",
     [](Scene& scene)
     {
       vtkNew<vtkDoubleArray> few;
@@ -111,7 +112,7 @@ void TestInputs()
       image->GetCellData()->SetScalars(few);
       scene.Mapper->SetInputData(image);
     });
-  ExpectError("8000 tuples, but the image has 6859 cells",
+  ExpectError("8000 tuples, but 6859 cells",
     [](Scene& scene)
     {
       vtkNew<vtkDoubleArray> ofPoints;
@@ -121,8 +122,18 @@ void TestInputs()
       image->GetCellData()->SetScalars(ofPoints);
       scene.Mapper->SetInputData(image);
     });
+  for (const vtkIdType flags : { 19, 8000 })
+  {
+    ExpectError(std::to_string(flags) + " tuples of 1 component(s), but 6859 cells",
+      [&](Scene& scene)
+      {
+        const auto image = Ball(20);
+        Ghosts::AddFlags(image->GetCellData(), flags);
+        scene.Mapper->SetInputData(image);
+      });
+  }
   // So many points that VTK's number of them overflows.
-  ExpectError("400 tuples, but the image has 9223372036854775807 points",
+  ExpectError("400 tuples, but 9223372036854775807 points",
     [](Scene& scene)
     {
       vtkNew<vtkDoubleArray> few;

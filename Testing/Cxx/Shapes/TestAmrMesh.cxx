@@ -9,6 +9,7 @@
 #include "Checks/Expect.h"
 #include "LinearCells.h"
 #include "Volumes/AmrGrids.h"
+#include "Volumes/Ghosts.h"
 
 #include <vtkAMRGaussianPulseSource.h>
 #include <vtkAbstractMapper.h>
@@ -282,11 +283,21 @@ void TestErrors()
   ExpectError(amr, Values(), "0.4");
   fine->SetSpacing(0.5, 0.5, 0.5);
   MeshOf(amr, Values(), "after all");
-  vtkNew<vtkDoubleArray> few;
-  few->SetName("values");
-  few->SetNumberOfTuples(3);
-  fine->GetCellData()->SetScalars(few);
-  ExpectError(amr, Values(), "3 tuples");
+  for (const vtkIdType more : { -1, 1 })
+  {
+    Ghosts::AddFlags(fine->GetCellData(), fine->GetNumberOfCells() + more);
+    ExpectError(amr, Values(), "Block 0 of level 1 has a ghost array 'vtkGhostType' of ");
+  }
+  fine->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  // More values than cells are those of other cells.
+  for (const vtkIdType tuples : { vtkIdType(3), fine->GetNumberOfPoints() })
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("values");
+    values->SetNumberOfTuples(tuples);
+    fine->GetCellData()->SetScalars(values);
+    ExpectError(amr, Values(), "'values' of " + std::to_string(tuples) + " tuples, but 64 cells");
+  }
 }
 
 }

@@ -4,6 +4,7 @@
 
 #include "Adaptive/AmrNeighbours.h"
 #include "Input/GhostArray.h"
+#include "Input/SamplesOfArray.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -59,14 +60,10 @@ bool HasArray(AmrBlock& block, const ScalarChoice& choice, std::string& error)
       "drawn by values of cells; make some with vtkPointDataToCellData.";
     return false;
   }
-  if (block.Array && block.Array->GetNumberOfTuples() < block.Grid->GetNumberOfCells())
-  {
-    error = block.Name + " has an array of " + std::to_string(block.Array->GetNumberOfTuples()) +
-      " tuples, but needs " + std::to_string(block.Grid->GetNumberOfCells()) +
-      "; give it one for each cell.";
-    return false;
-  }
-  return true;
+  const ArrayPlaces cells{ block.Name, true, CountSamples(block.Grid, true) };
+  return !block.Array ||
+    (CheckTuples(block.Array, cells, error) &&
+      FindFlags(block.Grid->GetCellData(), cells, block.Ghosts, error));
 }
 
 /// The blocks with the array, the finest ones first. Their cells are not known yet.
@@ -99,9 +96,6 @@ bool FindBlocks(AdaptiveGrid* amr, const ScalarChoice& choice, AmrBlocks& found,
       if (block.Array)
       {
         block.Level = found.Levels.size(); // from the finest one, for now
-        vtkUnsignedCharArray* ghosts = GhostsOf(block.Grid->GetCellData());
-        const bool hasAll = ghosts && HasOneForEach(ghosts, block.Grid->GetNumberOfCells());
-        block.Ghosts = hasAll ? ghosts->GetPointer(0) : nullptr;
         found.Blocks.push_back(block);
       }
     }

@@ -24,7 +24,6 @@
 #endif
 
 #include <algorithm>
-#include <sstream>
 
 namespace TemporalCoherence
 {
@@ -178,25 +177,6 @@ bool SetTypes(vtkUnstructuredGrid* grid, const GridLeaf& leaf, MeshPart& part, A
   return true;
 }
 
-/// The flags of points or cells; null if there are none.
-bool FindFlags(const GridLeaf& leaf, vtkDataSetAttributes* attributes, vtkIdType count,
-  const char* places, const std::uint8_t*& flags, std::string& error)
-{
-  vtkUnsignedCharArray* ghosts = GhostsOf(attributes);
-  flags = ghosts ? ghosts->GetPointer(0) : nullptr;
-  if (!ghosts || HasOneForEach(ghosts, count))
-  {
-    return true;
-  }
-  std::ostringstream what;
-  what << leaf.Name << " has a ghost array '" << vtkDataSetAttributes::GhostArrayName() << "' of "
-       << ghosts->GetNumberOfTuples() << " tuples of " << ghosts->GetNumberOfComponents()
-       << " component(s), but " << count << ' ' << places
-       << "; give it one value for each, or remove it.";
-  error = what.str();
-  return false;
-}
-
 /// One byte for each cell, 1 if its own flag or that of a point hides it, or if it is missing.
 /// \param ofCells, ofPoints, missing may be null
 MadeFlags FlagsOfAll(const MeshPart& part, const std::uint8_t* ofCells,
@@ -225,8 +205,10 @@ bool SetFlags(const GridLeaf& leaf, const std::vector<std::uint8_t>& missing, Me
 {
   const std::uint8_t* ofCells = nullptr;
   const std::uint8_t* ofPoints = nullptr;
-  if (!FindFlags(leaf, leaf.Data->GetCellData(), part.NumberOfCells, "cells", ofCells, error) ||
-    !FindFlags(leaf, leaf.Data->GetPointData(), part.NumberOfPoints, "points", ofPoints, error))
+  const ArrayPlaces cells{ leaf.Name, true, part.NumberOfCells };
+  const ArrayPlaces points{ leaf.Name, false, part.NumberOfPoints };
+  if (!FindFlags(leaf.Data->GetCellData(), cells, ofCells, error) ||
+    !FindFlags(leaf.Data->GetPointData(), points, ofPoints, error))
   {
     return false;
   }

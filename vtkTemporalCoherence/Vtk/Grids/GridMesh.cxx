@@ -6,6 +6,7 @@
 #include "Adaptive/AmrMesh.h"
 #include "Grids/MissingCells.h"
 #include "Grids/SameCells.h"
+#include "Input/SamplesOfArray.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <vtkDataSet.h>
@@ -244,13 +245,20 @@ bool GridMesh::See(AdaptiveGrid* amr, const ScalarChoice& choice, const DrawnCom
   Provenance now;
   now.Cells.Add(amr);
   now.Cells.Add(choice.Mode);
-  now.Cells.Add(component.IsMagnitude ? -1.0 : component.Number);
+  now.Cells.Add(component.Key());
+  bool haveComponent = true;
   ForEachGrid(amr,
     [&](unsigned int, vtkImageData* grid)
     {
-      const ChosenScalars scalars = FindScalars(grid, choice);
-      now.Cells.Add(scalars.Array, grid->GetMTime());
+      vtkDataArray* const array = FindScalars(grid, choice).Array;
+      now.Cells.Add(array, grid->GetMTime());
+      haveComponent = haveComponent &&
+        (!array || component.IsMagnitude || HasComponent(array, component.Number, error));
     });
+  if (!haveComponent)
+  {
+    return false;
+  }
   if (this->OfLeaves && now.Cells == this->From.Cells)
   {
     return true;

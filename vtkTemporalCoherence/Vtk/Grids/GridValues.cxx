@@ -73,22 +73,10 @@ vtkSmartPointer<vtkDataArray> AverageToPoints(
   return averages;
 }
 
-/// More values than cells belong to other cells; VTK draws the first ones of more values than
-/// points.
-bool FitsGrid(const GridLeaf& leaf, std::string& error)
+ArrayPlaces PlacesOf(const GridLeaf& leaf)
 {
-  const vtkIdType tuples = leaf.Array->GetNumberOfTuples();
-  const vtkIdType needed =
-    leaf.OnCells ? leaf.Data->GetNumberOfCells() : leaf.Data->GetNumberOfPoints();
-  if (leaf.OnCells ? tuples == needed : tuples >= needed)
-  {
-    return true;
-  }
-  const std::string place = leaf.OnCells ? "cell" : "point";
-  error = leaf.Name + " has an array " + NameOf(leaf.Array) + " of " + std::to_string(tuples) +
-    " tuples, but " + std::to_string(needed) + ' ' + place + "s; give it one tuple for each " +
-    place + '.';
-  return false;
+  return { leaf.Name, leaf.OnCells,
+    leaf.OnCells ? leaf.Data->GetNumberOfCells() : leaf.Data->GetNumberOfPoints() };
 }
 
 MeshArray ArrayOf(const PointValues& values)
@@ -104,14 +92,15 @@ void NoteValues(const GridLeaf& leaf, const DrawnComponent& component, MadeFrom&
   // As for images: whoever writes values may call Modified() of the array or of the data set.
   from.Add(leaf.Array, leaf.Data->GetMTime());
   from.Add(leaf.OnCells ? 1.0 : 0.0);
-  from.Add(component.IsMagnitude ? -1.0 : component.Number);
+  from.Add(component.Key());
 }
 
 bool SetValues(const GridLeaf& leaf, const DrawnComponent& component, MeshPart& part,
   PointValues& values, std::string& error)
 {
   values = { leaf.Array, component.IsMagnitude ? 0 : component.Number };
-  if (!FitsGrid(leaf, error) || !HasComponent(leaf.Array, values.Component, error))
+  if (!CheckTuples(leaf.Array, PlacesOf(leaf), error) ||
+    !HasComponent(leaf.Array, values.Component, error))
   {
     return false;
   }

@@ -7,6 +7,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace TemporalCoherence
@@ -41,7 +42,7 @@ void FindMissingCells(
   {
     return;
   }
-  const int first = component.IsMagnitude ? 0 : component.Number;
+  const int first = component.IsMagnitude ? 0 : std::max(component.Number, 0);
   const int end = component.IsMagnitude ? components : component.Number + 1;
   for (int c = first; c < end && c < components; ++c)
   {

@@ -55,19 +55,10 @@ bool PlaceImage(
 bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,
   std::string& error)
 {
-  const vtkIdType tuples = CountSamples(image, onCells);
   field = Field();
-  if (!HasComponent(array, component, error))
+  if (!HasComponent(array, component, error) ||
+    !CheckTuples(array, { "The image", onCells, CountSamples(image, onCells) }, error))
   {
-    return false;
-  }
-  const vtkIdType given = array->GetNumberOfTuples();
-  if (given < tuples || (onCells && given > tuples))
-  {
-    const std::string place = onCells ? "cell" : "point";
-    error = "Array " + NameOf(array) + " has " + std::to_string(given) +
-      " tuples, but the image has " + std::to_string(tuples) + ' ' + place +
-      "s; give it one tuple for each " + place + '.';
     return false;
   }
   const ArraySamples samples = SamplesOf(array, component);

@@ -3,8 +3,13 @@
 #ifndef TemporalCoherence_GhostArray_h
 #define TemporalCoherence_GhostArray_h
 
+#include "Input/SamplesOfArray.h"
+
 #include <vtkDataSetAttributes.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <cstdint>
+#include <string>
 
 namespace TemporalCoherence
 {
@@ -17,10 +22,25 @@ inline vtkUnsignedCharArray* GhostsOf(vtkDataSetAttributes* attributes)
     attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
 }
 
-/// True if a ghost array has one value for each of this many points or cells.
-inline bool HasOneForEach(vtkUnsignedCharArray* ghosts, vtkIdType count)
+/// Find the flags of points or cells.
+/// \param flags null if there is no ghost array
+/// \param error gets what is wrong and what to do about it
+/// \return false if there is not one flag for each
+inline bool FindFlags(vtkDataSetAttributes* attributes, const ArrayPlaces& places,
+  const std::uint8_t*& flags, std::string& error)
 {
-  return ghosts->GetNumberOfTuples() >= count && ghosts->GetNumberOfComponents() == 1;
+  vtkUnsignedCharArray* const ghosts = GhostsOf(attributes);
+  flags = ghosts ? ghosts->GetPointer(0) : nullptr;
+  if (!ghosts || (HasOneForEach(ghosts, places) && ghosts->GetNumberOfComponents() == 1))
+  {
+    return true;
+  }
+  error = places.Owner + " has a ghost array " + NameOf(ghosts) + " of " +
+    std::to_string(ghosts->GetNumberOfTuples()) + " tuples of " +
+    std::to_string(ghosts->GetNumberOfComponents()) + " component(s), but " +
+    std::to_string(places.Count) + (places.AreCells ? " cells" : " points") +
+    "; give it one value for each, or remove it.";
+  return false;
 }
 
 }

@@ -12,7 +12,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <exception>
-#include <sstream>
 #include <vector>
 
 namespace TemporalCoherence
@@ -22,22 +21,6 @@ namespace
 
 constexpr std::uint8_t NotToBeShown = vtkDataSetAttributes::HIDDENCELL |
   vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::DUPLICATECELL;
-
-/// \return false if a ghost array does not have one value for each point or cell
-bool IsUsable(vtkUnsignedCharArray* ghosts, vtkIdType count, const char* places, std::string& error)
-{
-  if (!ghosts || HasOneForEach(ghosts, count))
-  {
-    return true;
-  }
-  std::ostringstream what;
-  what << "The ghost array '" << vtkDataSetAttributes::GhostArrayName() << "' of the " << places
-       << " has " << ghosts->GetNumberOfTuples() << " tuples of " << ghosts->GetNumberOfComponents()
-       << " component(s), but the image has " << count << ' ' << places
-       << "; give it one value for each, or remove it.";
-  error = what.str();
-  return false;
-}
 
 /// One byte for each cell of an image, 1 if its own flag or that of a corner hides it.
 std::vector<std::uint8_t> FlagsOfCells(
@@ -95,8 +78,12 @@ bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells, const S
   hidden = nullptr;
   vtkUnsignedCharArray* const ofCells = GhostsOf(image->GetCellData());
   vtkUnsignedCharArray* const ofPoints = GhostsOf(image->GetPointData());
-  if (!IsUsable(ofCells, CountSamples(image, true), "cells", error) ||
-    !IsUsable(ofPoints, CountSamples(image, false), "points", error))
+  const std::uint8_t* cells = nullptr;
+  const std::uint8_t* samples = nullptr;
+  if (!FindFlags(
+        image->GetCellData(), { "The image", true, CountSamples(image, true) }, cells, error) ||
+    !FindFlags(
+      image->GetPointData(), { "The image", false, CountSamples(image, false) }, samples, error))
   {
     return false;
   }
@@ -116,8 +103,6 @@ bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells, const S
   if (!(origin == this->MadeFrom))
   {
     this->Release();
-    const std::uint8_t* const cells = ofCells ? ofCells->GetPointer(0) : nullptr;
-    const std::uint8_t* const samples = ofPoints ? ofPoints->GetPointer(0) : nullptr;
     try
     {
       std::vector<std::uint8_t> room;

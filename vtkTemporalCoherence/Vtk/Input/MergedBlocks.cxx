@@ -87,21 +87,30 @@ std::string Describe(vtkDataArray* array)
     std::to_string(array->GetNumberOfComponents()) + " component(s)";
 }
 
+ArrayPlaces PlacesOf(const Block& block, bool areCells)
+{
+  return { block.Name, areCells, CountSamples(block.Image, areCells) };
+}
+
+/// Find the ghost arrays of a block. \return false if they do not fit it
+bool FindGhosts(Block& block, std::string& error)
+{
+  return FindFlags(block.Image->GetPointData(), PlacesOf(block, false), block.PointGhosts, error) &&
+    FindFlags(block.Image->GetCellData(), PlacesOf(block, true), block.CellGhosts, error);
+}
+
 /// Compare a block's array with that of the first one.
 bool FitsArray(
   const Block& first, const Block& block, const ScalarChoice& choice, std::string& error)
 {
-  const vtkIdType tuples = CountSamples(block.Image, IsOnCells(choice));
   const bool isByNumber = (choice.Mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
                             choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA) &&
     !choice.IsByName;
-  if (block.Array->GetNumberOfTuples() < tuples)
+  if (!CheckTuples(block.Array, PlacesOf(block, IsOnCells(choice)), error))
   {
-    error = block.Name + " has an array " + NameOf(block.Array) + " of " +
-      std::to_string(block.Array->GetNumberOfTuples()) + " tuples, but needs " +
-      std::to_string(tuples) + "; give it one for each point or cell.";
+    return false;
   }
-  else if (block.Array->GetDataType() != first.Array->GetDataType() ||
+  if (block.Array->GetDataType() != first.Array->GetDataType() ||
     block.Array->GetNumberOfComponents() != first.Array->GetNumberOfComponents())
   {
     error = block.Name + " has an array " + Describe(block.Array) + ", but " + first.Name +
@@ -128,7 +137,7 @@ bool FitBlocks(
   for (Block& block : blocks)
   {
     std::string why;
-    if (!FitsArray(blocks.front(), block, choice, error))
+    if (!FitsArray(blocks.front(), block, choice, error) || !FindGhosts(block, error))
     {
       return false;
     }
@@ -161,20 +170,13 @@ bool FitBlocks(
   return true;
 }
 
-/// The flags of points or cells; null unless there is one for each.
-const std::uint8_t* FlagsOf(vtkDataSetAttributes* attributes, vtkIdType count)
-{
-  vtkUnsignedCharArray* ghosts = GhostsOf(attributes);
-  return ghosts && HasOneForEach(ghosts, count) ? ghosts->GetPointer(0) : nullptr;
-}
-
 BlockSource MakeSource(const Block& block, vtkDataArray* array, const LatticeBox& whole)
 {
   BlockSource source;
   source.First = block.Place.First - whole.First;
   source.Points = block.Place.Points();
-  source.PointGhosts = FlagsOf(block.Image->GetPointData(), CountSamples(block.Image, false));
-  source.CellGhosts = FlagsOf(block.Image->GetCellData(), CountSamples(block.Image, true));
+  source.PointGhosts = block.PointGhosts;
+  source.CellGhosts = block.CellGhosts;
   source.Components.resize(static_cast<std::size_t>(array->GetNumberOfComponents()));
   for (std::size_t c = 0; c < source.Components.size(); ++c)
   {

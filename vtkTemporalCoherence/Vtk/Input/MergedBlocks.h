@@ -10,6 +10,7 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ public:
     vtkMTimeType Stamp = 0;
     std::string Name; ///< for errors
     LatticeBox Place;
+    const std::uint8_t* PointGhosts = nullptr; ///< flags; null: there are none
+    const std::uint8_t* CellGhosts = nullptr;
   };
 
 private:

@@ -96,12 +96,12 @@ std::string WhyUnusable(
     return "The array " + NameOf(scalars.Array) + " of the mask has " + std::to_string(components) +
       " components; give it one" + remedy;
   }
-  const vtkIdType tuples = scalars.Array->GetNumberOfTuples();
-  if (tuples < CountSamples(image, scalars.OnCells))
+  const std::int64_t values = CountSamples(image, scalars.OnCells);
+  if (!HasOneForEach(scalars.Array, { "The mask", scalars.OnCells, values }))
   {
-    return "The array " + NameOf(scalars.Array) + " of the mask has " + std::to_string(tuples) +
-      " values, but the input has " + TextOf(samples) +
-      " samples; give it one value for each sample" + remedy;
+    return "The array " + NameOf(scalars.Array) + " of the mask has " +
+      std::to_string(scalars.Array->GetNumberOfTuples()) + " values, but the input has " +
+      TextOf(samples) + " samples; give it one value for each sample" + remedy;
   }
   return std::string();
 }

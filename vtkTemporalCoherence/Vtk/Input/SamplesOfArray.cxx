@@ -197,6 +197,25 @@ std::int64_t CountSamples(vtkImageData* image, bool onCells)
   return onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
 }
 
+bool HasOneForEach(vtkDataArray* array, const ArrayPlaces& places)
+{
+  const std::int64_t tuples = array->GetNumberOfTuples();
+  return places.AreCells ? tuples == places.Count : tuples >= places.Count;
+}
+
+bool CheckTuples(vtkDataArray* array, const ArrayPlaces& places, std::string& error)
+{
+  if (HasOneForEach(array, places))
+  {
+    return true;
+  }
+  const std::string place = places.AreCells ? "cell" : "point";
+  error = places.Owner + " has an array " + NameOf(array) + " of " +
+    std::to_string(array->GetNumberOfTuples()) + " tuples, but " + std::to_string(places.Count) +
+    ' ' + place + "s; give it one tuple for each " + place + '.';
+  return false;
+}
+
 std::string NameOf(vtkDataArray* array)
 {
   const char* name = array->GetName();

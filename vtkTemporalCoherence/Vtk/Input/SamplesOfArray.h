@@ -77,6 +77,21 @@ bool HasComponent(vtkDataArray* array, int component, std::string& error);
 /// largest number, so that no array has enough tuples.
 std::int64_t CountSamples(vtkImageData* image, bool onCells);
 
+/// The points or the cells of a data set, which an array has values of.
+struct ArrayPlaces
+{
+  std::string Owner; ///< how messages call the data set
+  bool AreCells = false;
+  std::int64_t Count = 0;
+};
+
+/// True if an array has one tuple for each place. More tuples than cells belong to other cells; of
+/// more tuples than points VTK draws the first ones.
+bool HasOneForEach(vtkDataArray* array, const ArrayPlaces& places);
+
+/// The same. \param error gets what is wrong and what to do about it
+bool CheckTuples(vtkDataArray* array, const ArrayPlaces& places, std::string& error);
+
 /// The name of an array in quotation marks, for messages.
 std::string NameOf(vtkDataArray* array);
 

@@ -64,6 +64,9 @@ struct VectorChoice
 /// The scalar that is drawn of an array's tuples.
 struct DrawnComponent
 {
+  /// Another number for each scalar, also for components that no array has.
+  double Key() const { return this->IsMagnitude ? 0.5 : this->Number; }
+
   bool IsMagnitude = false; ///< the length of each tuple
   int Number = 0;           ///< of the component, which the array may lack
   int OfProperty = 0;       ///< component of the property that gives colour and shading

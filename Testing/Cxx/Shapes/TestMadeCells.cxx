@@ -92,6 +92,19 @@ void TestCoarserCurved()
     last = error;
   }
   Expect(last > 0.01, "curved cells: the smallest limit makes a large error");
+  // Another limit counts from the next frame on.
+  Scene scene(grid, { 0.3 });
+  scene.LookFrom(1.0, 2.0, 0.7);
+  for (const int limit : { 1, 0, 4 })
+  {
+    Scene fresh(grid, { 0.3 });
+    fresh.LookFrom(1.0, 2.0, 0.7);
+    fresh.Mapper->SetMeshMemoryLimit(limit);
+    scene.Mapper->SetMeshMemoryLimit(limit);
+    Expect(fresh.Render(30, 30) && scene.Render(30, 30) && AreIdentical(fresh.Color, scene.Color) &&
+        scene.Mapper->GetMeshValueError() == fresh.Mapper->GetMeshValueError(),
+      "curved cells, from now on " + std::to_string(limit) + " MiB");
+  }
 }
 
 /// One cell that holds r^2 exactly shows a sphere within the goal.

@@ -87,7 +87,11 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
     NoteValues(leaf, component, now.Values);
   }
   const bool isMade = this->OfLeaves != nullptr && this->Parts.size() == leaves.size();
-  this->AreCellsNew = !isMade || now.Cells != this->From.Cells;
+  // A new limit divides cells otherwise.
+  const bool isLimitNew = budget.Memory != this->Limit &&
+    std::any_of(this->Parts.begin(), this->Parts.end(),
+      [](const LeafPart& part) { return part.Census.HasOthers; });
+  this->AreCellsNew = !isMade || isLimitNew || now.Cells != this->From.Cells;
   this->ArePointsNew = this->AreCellsNew || now.Points != this->From.Points;
   this->AreValuesNew = this->AreCellsNew || now.Values != this->From.Values;
   if (!this->ArePointsNew && !this->AreValuesNew)
@@ -124,6 +128,7 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
     this->Parts[i].AreValuesMade = this->Parts[i].Made.Values.Array != leaves[i].Array;
   }
   this->From = now;
+  this->Limit = budget.Memory;
   this->Assemble(leaves);
   return true;
 }

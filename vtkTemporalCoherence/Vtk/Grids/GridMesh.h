@@ -93,6 +93,7 @@ private:
   };
 
   Provenance From;
+  std::size_t Limit = 0;                                             ///< of memory
   bool AreCellsNew = true, ArePointsNew = true, AreValuesNew = true; ///< as they are made
   bool AreOthersNew = false;
   std::vector<LeafPart> Parts;

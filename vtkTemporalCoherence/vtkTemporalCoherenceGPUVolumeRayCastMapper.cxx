@@ -150,6 +150,11 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
   {
     why = TemporalCoherence::WhyNotDrawn(this, renderer, volume);
   }
+  if (why.empty() && this->BlendVolumes != BLEND_ALWAYS &&
+    TemporalCoherence::IsSlowlyBlended(this->BlendMode, volume))
+  {
+    why = "the interpolation is nearest, which VTK blends faster";
+  }
   if (!why.empty())
   {
     return why;

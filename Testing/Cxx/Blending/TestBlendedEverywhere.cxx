@@ -120,6 +120,25 @@ void TestRules(int mode)
     name + ": by default ours without a GPU, since " + byDefault.AsDoor()->GetReason());
 }
 
+/// With nearest interpolation VTK's mapper may be far faster, but not for extremes.
+void TestNearest(int mode)
+{
+  const std::string name = NameOfMode(mode) + " of the nearest samples";
+  const bool isExtreme = mode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND ||
+    mode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
+  for (const int rule : { Door::BLEND_ON_SOFTWARE_OPENGL, Door::BLEND_ALWAYS })
+  {
+    Stage stage(mode, FromFactory(rule));
+    stage.Look.Volume->GetProperty()->SetInterpolationTypeToNearest();
+    stage.Draw();
+    const std::string capabilities = stage.Window->ReportCapabilities();
+    const bool isSoftware = capabilities.find("llvmpipe") != std::string::npos;
+    Expect(stage.AsDoor()->GetDrewIsosurfaces() ==
+        (rule == Door::BLEND_ALWAYS || (isSoftware && isExtreme)),
+      name + ": rule " + std::to_string(rule) + ", since " + stage.AsDoor()->GetReason());
+  }
+}
+
 /// The rule reaches mappers that others hold, and the environment gives its default.
 void TestDefault()
 {
@@ -176,6 +195,7 @@ int TestBlendedEverywhere(int, char*[])
   for (const int mode : BlendModes)
   {
     TestRules(mode);
+    TestNearest(mode);
   }
   TestDefault();
   TestLeftToVtk();

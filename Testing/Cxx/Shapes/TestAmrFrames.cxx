@@ -15,6 +15,7 @@
 #include <vtkAbstractMapper.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkUniformGrid.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -218,6 +219,31 @@ void TestPlane()
   Expect(worst < 1e-9, "a plane is exact on all levels: " + std::to_string(worst));
 }
 
+/// Two scenes have the same picture, which is not empty.
+void ExpectTheSame(Scene& scene, Scene& reference, const std::string& what)
+{
+  for (const bool isSolid : { false, true })
+  {
+    for (Scene* each : { &scene, &reference })
+    {
+      ChooseCells(*each);
+      isSolid ? each->Mapper->SetSurfaceModeToThreshold()
+              : each->Mapper->SetSurfaceModeToCrossing();
+    }
+    scene.LookFrom(-1.0, 2.0, 0.7);
+    reference.Renderer->SetActiveCamera(scene.Renderer->GetActiveCamera());
+    Expect(scene.Render(120, 90) && reference.Render(120, 90), what + ": drawn");
+    int hits = 0;
+    for (int pixel = 0; pixel < 120 * 90; ++pixel)
+    {
+      hits += !std::isinf(scene.DepthAt(pixel % 120, pixel / 120));
+    }
+    Expect(hits > 500, what + ": the picture is not empty");
+    Expect(AreIdentical(scene.Color, reference.Color) && AreIdentical(scene.Depth, reference.Depth),
+      what + (isSolid ? ", solid" : ""));
+  }
+}
+
 /// Cells without a value are hidden as blanked ones are.
 void TestMissingCells()
 {
@@ -244,28 +270,62 @@ void TestMissingCells()
       }
     }
   }
-  for (const bool isSolid : { false, true })
+  Scene scene(nullptr, { 60.0 }), reference(nullptr, { 60.0 });
+  scene.Mapper->SetInputDataObject(holed);
+  reference.Mapper->SetInputDataObject(blanked);
+  ExpectTheSame(scene, reference, "missing cells are blanked ones");
+}
+
+/// Blocks with a layer of copies of other blocks' cells around them, as they are in distributed
+/// data. The values of copies are wrong, so that they are seen if they are used.
+vtkSmartPointer<vtkOverlappingAMR> WithCopies(const AmrTestLevels& levels)
+{
+  AmrTestLevels larger = levels;
+  int size = 8;
+  for (std::size_t l = 0; l < levels.Boxes.size(); ++l)
   {
+    for (AmrTestBox& box : larger.Boxes[l])
+    {
+      box.First = glm::max(box.First - 1, 0);
+      box.Last = glm::min(box.Last + 1, size - 1);
+    }
+    size *= l < levels.Ratios.size() ? levels.Ratios[l] : 1;
+  }
+  const auto amr = MakeAmr(larger, Waves);
+  for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
+  {
+    for (unsigned int block = 0; block < BlocksAt(amr, level); ++block)
+    {
+      const AmrTestBox &own = levels.Boxes[level][block], &all = larger.Boxes[level][block];
+      const glm::ivec3 cells = all.Last - all.First + 1;
+      vtkUniformGrid* grid = GridAt(amr, level, block);
+      vtkUnsignedCharArray* ghosts = grid->AllocateCellGhostArray();
+      for (int c = 0; c < cells.x * cells.y * cells.z; ++c)
+      {
+        const glm::ivec3 at =
+          all.First + glm::ivec3(c % cells.x, c / cells.x % cells.y, c / cells.x / cells.y);
+        if (glm::any(glm::lessThan(at, own.First)) || glm::any(glm::greaterThan(at, own.Last)))
+        {
+          ghosts->SetValue(c, vtkDataSetAttributes::DUPLICATECELL);
+          grid->GetCellData()->GetArray("values")->SetTuple1(c, 100.0 * (c % 2));
+        }
+      }
+    }
+  }
+  return amr;
+}
+
+void TestCopies()
+{
+  for (const int ratio : { 2, 4 })
+  {
+    const auto copies = WithCopies(Nested(ratio));
+    const auto plain = MakeAmr(Nested(ratio), Waves);
     Scene scene(nullptr, { 60.0 }), reference(nullptr, { 60.0 });
-    scene.Mapper->SetInputDataObject(holed);
-    reference.Mapper->SetInputDataObject(blanked);
-    for (Scene* each : { &scene, &reference })
-    {
-      ChooseCells(*each);
-      isSolid ? each->Mapper->SetSurfaceModeToThreshold()
-              : each->Mapper->SetSurfaceModeToCrossing();
-    }
-    scene.LookFrom(-1.0, 2.0, 0.7);
-    reference.Renderer->SetActiveCamera(scene.Renderer->GetActiveCamera());
-    Expect(scene.Render(120, 90) && reference.Render(120, 90), "missing cells: drawn");
-    int hits = 0;
-    for (int pixel = 0; pixel < 120 * 90; ++pixel)
-    {
-      hits += !std::isinf(scene.DepthAt(pixel % 120, pixel / 120));
-    }
-    Expect(hits > 500, "missing cells: the picture is not empty");
-    Expect(AreIdentical(scene.Color, reference.Color) && AreIdentical(scene.Depth, reference.Depth),
-      std::string("missing cells are blanked ones") + (isSolid ? ", solid" : ""));
+    scene.Mapper->SetInputDataObject(copies);
+    reference.Mapper->SetInputDataObject(plain);
+    ExpectTheSame(
+      scene, reference, "layers of copies change nothing, ratio " + std::to_string(ratio));
   }
 }
 
@@ -277,5 +337,6 @@ int TestAmrFrames(int, char*[])
   TestHoles();
   TestPlane();
   TestMissingCells();
+  TestCopies();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -146,6 +146,33 @@ bool FitLevels(AmrBlocks& found, std::string& error)
   return true;
 }
 
+/// The cells of a block without layers of copies of others' cells, which readers of distributed
+/// data put around blocks: they would hide the coarser cells that they lie in, and may be older.
+AmrBox WithoutCopies(const AmrBlock& block)
+{
+  if (!block.Ghosts)
+  {
+    return block.Stored;
+  }
+  AmrBox own{ block.Stored.End, block.Stored.First };
+  const std::uint8_t* flags = block.Ghosts;
+  for (std::int64_t z = block.Stored.First.z; z < block.Stored.End.z; ++z)
+  {
+    for (std::int64_t y = block.Stored.First.y; y < block.Stored.End.y; ++y)
+    {
+      for (std::int64_t x = block.Stored.First.x; x < block.Stored.End.x; ++x)
+      {
+        if (!(*flags++ & vtkDataSetAttributes::DUPLICATECELL))
+        {
+          own.First = glm::min(own.First, glm::i64vec3(x, y, z));
+          own.End = glm::max(own.End, glm::i64vec3(x, y, z) + std::int64_t(1));
+        }
+      }
+    }
+  }
+  return own;
+}
+
 bool FitBlock(const AmrBlocks& found, AmrBlock& block, std::string& error)
 {
   const AmrLevel& level = found.Levels[block.Level];
@@ -163,9 +190,10 @@ bool FitBlock(const AmrBlocks& found, AmrBlock& block, std::string& error)
         " along axis " + std::to_string(axis) + "; resample the data with vtkAMRResampleFilter.";
       return false;
     }
-    block.Cells.First[axis] = static_cast<std::int64_t>(std::round(first));
-    block.Cells.End[axis] = block.Cells.First[axis] + points[axis] - 1;
+    block.Stored.First[axis] = static_cast<std::int64_t>(std::round(first));
+    block.Stored.End[axis] = block.Stored.First[axis] + points[axis] - 1;
   }
+  block.Cells = WithoutCopies(block);
   block.Finest = { block.Cells.First * level.Ratio, block.Cells.End * level.Ratio };
   return true;
 }
@@ -188,6 +216,9 @@ bool FindAmrBlocks(
       return false;
     }
   }
+  found.Blocks.erase(std::remove_if(found.Blocks.begin(), found.Blocks.end(),
+                       [](const AmrBlock& block) { return IsEmpty(block.Cells); }),
+    found.Blocks.end());
   found.Neighbours = NeighboursOf(found.Blocks);
   return true;
 }

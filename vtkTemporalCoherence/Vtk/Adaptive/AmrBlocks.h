@@ -45,14 +45,22 @@ struct AmrBlock
   vtkImageData* Grid = nullptr;  ///< not owned
   vtkDataArray* Array = nullptr; ///< a tuple for each cell
   std::size_t Level = 0;
-  AmrBox Cells;                         ///< on the lattice of the level
+  AmrBox Stored;                        ///< cells in its arrays, on the lattice of the level
+  AmrBox Cells;                         ///< those without layers of copies of others' cells
   AmrBox Finest;                        ///< the same on the finest lattice
   std::string Name;                     ///< for messages
-  const std::uint8_t* Ghosts = nullptr; ///< flags of each cell; null: there are none
+  const std::uint8_t* Ghosts = nullptr; ///< flags of each stored cell; null: there are none
 
-  std::int64_t NumberOf(const glm::i64vec3& cell) const
+  /// Where a cell is among Cells.
+  std::int64_t NumberOf(const glm::i64vec3& cell) const { return PlaceIn(this->Cells, cell); }
+
+  /// Where a cell is in arrays.
+  std::int64_t IndexOf(const glm::i64vec3& cell) const { return PlaceIn(this->Stored, cell); }
+
+private:
+  static std::int64_t PlaceIn(const AmrBox& box, const glm::i64vec3& cell)
   {
-    const glm::i64vec3 size = this->Cells.Size(), at = cell - this->Cells.First;
+    const glm::i64vec3 size = box.Size(), at = cell - box.First;
     return at.x + size.x * (at.y + size.y * at.z);
   }
 };

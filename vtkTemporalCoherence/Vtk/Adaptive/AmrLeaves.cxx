@@ -13,9 +13,9 @@ namespace TemporalCoherence
 namespace
 {
 
-bool HasFlag(const AmrBlock& block, std::int64_t cell, int flag)
+bool HasFlag(const AmrBlock& block, const glm::i64vec3& cell, int flag)
 {
-  return block.Ghosts && (block.Ghosts[cell] & flag) != 0;
+  return block.Ghosts && (block.Ghosts[block.IndexOf(cell)] & flag) != 0;
 }
 
 /// Do something with each cell of a block in a box of the finest lattice, also with those that are
@@ -47,9 +47,13 @@ void MarkLeaves(const AmrBlocks& blocks, std::size_t number, std::vector<std::in
   const glm::i64vec3 size = block.Cells.Size();
   marks.assign(static_cast<std::size_t>(size.x * size.y * size.z), 0);
   constexpr int hiding = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-  for (std::size_t cell = 0; block.Ghosts && cell < marks.size(); ++cell)
+  if (block.Ghosts)
   {
-    marks[cell] = HasFlag(block, static_cast<std::int64_t>(cell), hiding) ? -1 : 0;
+    ForCellsIn(blocks, block, block.Finest,
+      [&](const glm::i64vec3& cell) {
+        marks[static_cast<std::size_t>(block.NumberOf(cell))] =
+          HasFlag(block, cell, hiding) ? -1 : 0;
+      });
   }
   for (const std::size_t neighbour : blocks.Neighbours[number])
   {
@@ -63,7 +67,7 @@ void MarkLeaves(const AmrBlocks& blocks, std::size_t number, std::vector<std::in
     ForCellsIn(blocks, block, both,
       [&](const glm::i64vec3& cell)
       {
-        if (isFiner || !HasFlag(other, other.NumberOf(cell), vtkDataSetAttributes::HIDDENCELL))
+        if (isFiner || !HasFlag(other, cell, vtkDataSetAttributes::HIDDENCELL))
         {
           marks[static_cast<std::size_t>(block.NumberOf(cell))] = -1;
         }

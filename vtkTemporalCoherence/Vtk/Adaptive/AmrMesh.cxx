@@ -68,13 +68,12 @@ void MakePoints(
         for (std::int64_t x = block.Cells.First.x; x < block.Cells.End.x; ++x)
         {
           const glm::i64vec3 cell(x, y, slices[s].Z);
-          const std::int64_t number = block.NumberOf(cell);
-          const std::int32_t leaf = leaves.NumberOf(slices[s].Block, number);
+          const std::int32_t leaf = leaves.NumberOf(slices[s].Block, block.NumberOf(cell));
           if (leaf >= 0)
           {
             const glm::dvec3 at = blocks.Origin + (glm::dvec3(cell) + 0.5) * spacing;
             points[static_cast<std::size_t>(leaf)] = { at.x, at.y, at.z,
-              ValueOf(block.Array, number, component) };
+              ValueOf(block.Array, block.IndexOf(cell), component) };
           }
         }
       }

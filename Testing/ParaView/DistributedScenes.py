@@ -5,13 +5,17 @@
 They are named SCENE-N.png; ComparePictures.py compares those of several processes with those of one.
 """
 
+import glob
 import os
 
+from paraview import servermanager
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from Stage import (AMRGaussianPulseSource, Calculator, Delete, GroupDatasets, LegacyVTKReader,
-                   PointDatatoCellData, ProgrammableSource, Render, Tetrahedralize, Transform, check,
-                   look_from, make_view, make_wavelet, show, statistic, take_picture)
+from Stage import (AMRGaussianPulseSource, Calculator, CreateWriter, Delete, GroupDatasets,
+                   HierarchicalFractal, LegacyVTKReader, OpenDataFile, PointDatatoCellData,
+                   ProgrammableFilter, ProgrammableSource, Render, SaveData, Tetrahedralize,
+                   Transform, check, check_same, count_different, look_from, make_view,
+                   make_wavelet, show, statistic, take_picture)
 
 PROCESSES = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
 
@@ -82,27 +86,28 @@ def make_parts(kind):
     return source
 
 
-def draw(name, source, isovalues, fxaa=0, **settings):
-    """One scene, moved and with a new isovalue, so that what is kept is used again."""
+def draw(name, source, isovalues, fxaa=0, array=None, **settings):
+    """One scene, moved and with a new isovalue, so that what is kept is used again: two pictures."""
     view = make_view()
     view.UseFXAA = fxaa
-    display = show(source, view, isovalues)
+    display = show(source, view, isovalues, array)
     for setting, value in settings.items():
         setattr(display, setting, value)
     look_from(view)
     Render(view)
     view.GetActiveCamera().Azimuth(2.0)
-    take_picture(view, f"{name}-{PROCESSES}")
+    pictures = [take_picture(view, f"{name}-{PROCESSES}")]
     display.Isovalues = [value * 1.01 for value in isovalues]
     Render(view)
     display.Isovalues = [value * 1.02 for value in isovalues]
-    take_picture(view, f"{name}-swept-{PROCESSES}")
+    pictures.append(take_picture(view, f"{name}-swept-{PROCESSES}"))
     if name == "surface":
         counts = list(statistic(display, "RouteCounts"))
         check(counts[3] + counts[4] == 2,
               f"{PROCESSES} process(es): isovalues use again what is there", counts)
     Delete(display)
     Delete(view)
+    return pictures
 
 
 def meshes(wavelet):
@@ -117,11 +122,97 @@ def meshes(wavelet):
                          Function="iHat*(coordsX+0.01*coordsY*coordsZ)+jHat*(coordsY+0.1*coordsX)"
                          "+kHat*coordsZ")
     draw("curvilinear", twisted, [150.0])
-    draw("mixed", GroupDatasets(Input=[tetrahedra, Transform(Input=tetrahedra)]), [150.0])
-    amr = AMRGaussianPulseSource()
-    amr.UpdatePipeline()
-    lengths = amr.CellData[0].GetRange(-1)  # the first array is drawn, which is of vectors
-    draw("adaptive", amr, [0.5 * (lengths[0] + lengths[1])])
+    mixed = GroupDatasets(Input=[tetrahedra, Transform(Input=tetrahedra)])
+    draw("mixed", mixed, [150.0])
+    draw("translucent-mixed", mixed, [120.0, 200.0], Opacity=0.4)
+
+
+def adaptive_grids():
+    """Each process makes all blocks of the source of a pulse, and reads its share of those of a file."""
+    for ratio in (2, 3, 4):
+        pulse = AMRGaussianPulseSource(RefinementRatio=ratio)
+        pulse.UpdatePipeline()
+        lengths = pulse.CellData[0].GetRange(-1)  # the first array is drawn, which is of vectors
+        draw(f"adaptive-{ratio}", pulse, [0.5 * (lengths[0] + lengths[1])])
+    values = ("CELLS", "Gaussian-Pulse")
+    draw("adaptive-solid", pulse, [0.1], array=values, SurfaceMode="Threshold")
+    draw("translucent-adaptive", pulse, [0.1, 0.2], array=values, Opacity=0.4)
+
+    values = ("CELLS", "Fractal Volume Fraction")
+    path = os.path.join(os.environ["TEMPORAL_ISOSURFACE_OUTPUT"], "fractal.vthb")
+    if PROCESSES == 1:  # in several, ParaView 5.11 crashes with this source
+        fractals = [HierarchicalFractal(TwoDimensional=0, MaximumLevel=3, Dimensions=8,
+                                        GhostLevels=layers) for layers in (0, 1)]
+        SaveData(path, fractals[0])
+        alone, layered = (draw(f"alone-{layers}", fractal, [0.5], array=values)
+                          for layers, fractal in enumerate(fractals))
+        # Its values are rounded otherwise.
+        different = count_different(alone[0], layered[0], 2)
+        check(different < 0.001 * alone[0].size / 3, "adaptive grids: layers of copies change nothing",
+              f"{different} pixels differ")
+    pieces = OpenDataFile(path)
+    pieces.DefaultNumberOfLevels = 4
+    pieces.UpdatePipeline()
+    pictures = draw("adaptive-file", pieces, [0.5], array=values)
+    draw("adaptive-file-solid", pieces, [0.5], array=values, SurfaceMode="Threshold")
+    draw("translucent-adaptive-file", pieces, [0.3, 0.5], array=values, Opacity=0.4)
+    if PROCESSES == 1:
+        check_same("a file .vthb is as the data in memory", pictures, alone)
+
+
+# Exodus files number points and cells from 1; the same point has one number in all processes.
+NUMBERS = """
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+output = self.GetOutputDataObject(0)
+output.ShallowCopy(self.GetInputDataObject(0, 0))
+places = numpy.rint(vtk_to_numpy(output.GetPoints().GetData())).astype(numpy.int64) + 20
+first = 1000000 * vtkMultiProcessController.GetGlobalController().GetLocalProcessId() + 1
+for data, numbers in ((output.GetPointData(), places @ numpy.array([1, 41, 41 * 41]) + 1),
+                      (output.GetCellData(), numpy.arange(output.GetNumberOfCells()) + first)):
+    ids = numpy_to_vtkIdTypeArray(numbers, deep=True)
+    ids.SetName("ids")
+    data.SetGlobalIds(ids)
+"""
+
+
+def read_again(source, extension):
+    """What a source gives, by way of a file of which each process writes its part."""
+    path = os.path.join(os.environ["TEMPORAL_ISOSURFACE_OUTPUT"], f"mesh-{PROCESSES}.{extension}")
+    writer = CreateWriter(path, source)
+    if hasattr(writer, "IgnoreMetaDataWarning"):  # of an Exodus file that the data were not read from
+        writer.IgnoreMetaDataWarning = 1
+    writer.UpdatePipeline()
+    files = sorted(glob.glob(path + "*"))
+    reader = OpenDataFile(files if len(files) > 1 else path)
+    reader.UpdatePipeline()
+    print(f".{extension}: {len(files)} file(s), read by {reader.GetXMLName()} as "
+          f"{reader.GetDataInformation().GetDataSetTypeAsString()}", flush=True)
+    return reader
+
+
+def files():
+    """Meshes by way of files."""
+    # Of an image that was not drawn: pictures ask for layers of ghost cells, and writers keep them.
+    mesh = ProgrammableFilter(Input=Tetrahedralize(Input=make_wavelet()), Script=NUMBERS)
+    readers = {"exodus": read_again(mesh, "ex2")}
+    if hasattr(servermanager.writers, "VTKHDFWriter"):
+        readers["vtkhdf"] = read_again(mesh, "vtkhdf")
+    else:
+        print("skipped: this ParaView writes no VTKHDF", flush=True)
+    values = ("POINTS", "RTData")
+    pictures = draw("memory", mesh, [150.0], array=values)
+    for name, reader in readers.items():
+        check_same(f"{PROCESSES} process(es): a file, {name}, is as the data in memory",
+                   draw(name, reader, [150.0], array=values), pictures)
+        draw(f"translucent-{name}", reader, [120.0, 200.0], array=values, Opacity=0.4)
+        draw(f"{name}-cells", PointDatatoCellData(Input=reader), [150.0], array=("CELLS", "RTData"))
+    # A file that one process wrote, so that the others have nothing to read.
+    whole = OpenDataFile(os.path.join(os.environ["TEMPORAL_ISOSURFACE_OUTPUT"], "mesh-1.ex2"))
+    whole.UpdatePipeline()
+    draw("exodus-whole", whole, [150.0], array=values)
+    draw("translucent-exodus-whole", whole, [120.0, 200.0], array=values, Opacity=0.4)
 
 
 def main():
@@ -140,6 +231,8 @@ def main():
          CroppingOrigin=[3.0, 0.0, 0.0], CroppingScale=[0.6, 0.7, 0.8])
     draw("cells", PointDatatoCellData(Input=wavelet), [150.0])
     meshes(wavelet)
+    adaptive_grids()
+    files()
     for kind in OUTPUTS:
         draw(f"parts-{kind}", make_parts(kind), [150.0])
     # Not a .vti: with recent updates of Debian 12's expat, its VTK cannot read some of these.

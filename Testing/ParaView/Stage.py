@@ -38,11 +38,12 @@ def make_wavelet(last=20):
     return Wavelet(WholeExtent=[-last, last] * 3)
 
 
-def show(source, view, isovalues):
-    """Show a source as a Temporal Isosurface in white."""
+def show(source, view, isovalues, array=None):
+    """Show a source as a Temporal Isosurface in white, of an array or of the first one."""
     display = Show(source, view)
     display.Representation = "Temporal Isosurface"
-    display.ColorArrayName = [None, ""]
+    display.ColorArrayName = list(array) if array else [None, ""]
+    display.LookupTable = None
     display.DiffuseColor = [1.0, 1.0, 1.0]
     display.Isovalues = isovalues
     return display
@@ -92,3 +93,9 @@ def take_picture(view, name):
 def count_different(a, b, tolerance=0):
     """Pixels in which two pictures differ by more than a tolerance in any colour."""
     return int((np.abs(a - b).max(axis=2) > tolerance).sum())
+
+
+def check_same(what, pictures, others):
+    """No pixel differs."""
+    different = sum(count_different(a, b) for a, b in zip(pictures, others))
+    check(different == 0, what, f"{different} pixels differ")

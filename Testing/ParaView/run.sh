@@ -18,9 +18,9 @@ usage: Testing/ParaView/run.sh [OPTIONS] [-- CMAKE_ARGUMENTS]
   --help         show this text
 
 On Debian 12 or later, as root or with sudo. ParaView's packages are unpacked, not installed, because
-one of them conflicts with what libvtk9-dev needs; what they depend on is installed with apt. A second
-run takes up what is there. Tests run under an X server of their own (Xvfb). Each check is a line; the
-last line says PASSED or FAILED, and so does the exit status.
+on Debian 12 one of them conflicts with what libvtk9-dev needs; what they depend on is installed with
+apt. A second run takes up what is there. Tests run under an X server of their own (Xvfb). Each check is
+a line; the last line says PASSED or FAILED, and so does the exit status.
 
 environment:
   TEMPORAL_COHERENCE_PARAVIEW        where ParaView is or goes (700 MB); default: /opt/paraview where
@@ -88,9 +88,19 @@ dependencies_of() # FILES
     grep -vE '^(paraview|python3-paraview|paraview-dev)( |$)' | sort -u | paste -sd,
 }
 
+# ParaView's CMake files name its Python modules without the tag that later packages of Debian give
+# them: modules/vtkX.so is there as modules/vtkX.cpython-314-x86_64-linux-gnu.so.
+link_python_modules()
+{
+  local module
+  for module in "$prefix"/usr/lib/python3/dist-packages/paraview/*/*.cpython-*.so; do
+    [ ! -e "$module" ] || ln -sf "${module##*/}" "${module%.cpython-*}.so"
+  done
+}
+
 ensure_paraview()
 {
-  local missing files
+  local missing files dependencies
   command -v apt-get >/dev/null || fail "This is not a Debian system; build the plugin as \
 Examples/ParaViewPlugin/README.md says."
   if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
@@ -115,11 +125,17 @@ Examples/ParaViewPlugin/README.md says."
   trap 'rm -rf "$downloads"' EXIT
   (cd "$downloads" && logged apt-get -o APT::Sandbox::User=root download "${paraview_packages[@]}")
   files=("$downloads"/*.deb)
-  logged apt satisfy -y --no-install-recommends "$(dependencies_of "${files[@]}")"
+  dependencies=$(dependencies_of "${files[@]}")
+  logged apt satisfy -y --no-install-recommends "$dependencies"
+  # A later ParaView has no VTK of its own, and the plugin is built with that of the system.
+  case $dependencies in
+    *python3-vtk9*) logged apt install -y --no-install-recommends libvtk9-dev ;;
+  esac
   local file
   for file in "${files[@]}"; do
     logged dpkg-deb -x "$file" "$prefix"
   done
+  link_python_modules
   touch "$prefix/.complete"
 }
 
@@ -146,7 +162,8 @@ build_plugin()
   say "Built $plugin"
 }
 
-# The programs of ParaView have its libraries and its Python alone: a VTK that is installed is another.
+has_no_warnings() { ! grep -q 'warning:' "$log"; }
+
 start_display()
 {
   local number=$build/display
@@ -164,6 +181,7 @@ start_display()
   unset XAUTHORITY
 }
 
+# ParaView's libraries and its Python come first: a VTK that is installed may be another.
 pvbatch() # PROCESSES ARGUMENTS
 {
   local command=("$prefix/usr/bin/pvbatch") processes=$1
@@ -298,6 +316,7 @@ find_paraview
 say "ParaView is there after $((SECONDS - begin)) s"
 build_plugin "$@"
 say "The plugin is there after $((SECONDS - begin)) s"
+check "the plugin builds without warnings" has_no_warnings
 start_display
 
 run_checks 1 TestPicture.py

@@ -8,7 +8,7 @@ set -euo pipefail
 usage()
 {
   cat <<'TEXT'
-Build and test vtkTemporalCoherence in a Debian of its own: all tests, the packages, the example.
+Build and test vtkTemporalCoherence in a Debian of its own: all tests, packages, examples, the plugin.
 
 usage: Testing/Systems/run.sh bookworm|trixie|sid [--fresh] [--only PART]... [CTEST_ARGUMENTS]
 
@@ -21,6 +21,7 @@ usage: Testing/Systems/run.sh bookworm|trixie|sid [--fresh] [--only PART]... [CT
                      packages   Testing/Packages/run.sh: Debian packages, tried in a bare system
                      wheel      Testing/Wheel/run.sh: a Python wheel, tried in a bare system
                      examples   Examples/run.sh
+                     paraview   Testing/ParaView/run.sh: the plugin for the suite's ParaView
   --help           show this text
 
 Run it as root, on a Debian machine of any version. The system is made with debootstrap from the
@@ -30,7 +31,7 @@ example -R Mapper. A part that fails does not stop the others. The exit status i
 passed.
 
 environment:
-  TEMPORAL_COHERENCE_SYSTEMS      where the systems of all suites are kept (about 7 GB each);
+  TEMPORAL_COHERENCE_SYSTEMS      where the systems of all suites are kept (about 11 GB each);
                                   default: /var/tmp/vtkTemporalCoherence-systems
   TEMPORAL_COHERENCE_CMAKE_FLAGS  further arguments for CMake, separated by spaces
 TEXT
@@ -39,7 +40,7 @@ TEXT
 # shellcheck source=Testing/Systems/system.sh
 . "$(dirname "${BASH_SOURCE[0]}")/system.sh"
 
-all_parts="suite packages wheel examples"
+all_parts="suite packages wheel examples paraview"
 name=
 fresh=no
 parts=()
@@ -84,9 +85,23 @@ part_examples()
     /source/Examples/run.sh --output /pictures
 }
 
+# ParaView has a system of its own: what it brings must not hide that a package of the library's own
+# set-up is missing, nor the other way round.
+part_paraview()
+{
+  local own=$systems/$suite-paraview flags
+  read -ra flags <<<"${TEMPORAL_COHERENCE_CMAKE_FLAGS:-}"
+  ensure_system "$fresh" "$own"
+  copy_tree "$own"
+  in_system "$own" TEMPORAL_COHERENCE_PARAVIEW_BUILD=/build \
+    /source/Testing/ParaView/run.sh -- "${flags[@]}"
+}
+
 system=$systems/$suite
-ensure_system "$fresh"
-copy_tree "$system"
+if [ "${parts[*]}" != paraview ]; then
+  ensure_system "$fresh"
+  copy_tree "$system"
+fi
 results=()
 failed=()
 for part in $all_parts; do
@@ -108,7 +123,8 @@ done
 for result in "${results[@]}"; do
   say "$result"
 done
-version=$(vtk_version "$system")
+tested="${parts[*]} on Debian $suite"
+[ "${parts[*]}" = paraview ] || tested+=", VTK $(vtk_version "$system")"
 [ "${#failed[@]}" -eq 0 ] ||
-  fail "${failed[*]} on Debian $suite, VTK $version; logs are in $system/build and $system-used/test/logs"
-say "PASSED: ${parts[*]} on Debian $suite, VTK $version"
+  fail "${failed[*]} of $tested; logs are in $system/build, $system-paraview/build and $system-used/test/logs"
+say "PASSED: $tested"

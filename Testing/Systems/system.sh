@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Systems to test in, each a Debian in a directory: sourced by the scripts that use them. They call
-# choose_suite first. A suite has three directories in $systems:
-#   SUITE-bare   what debootstrap makes, and nothing else
-#   SUITE        a copy of it in which the library is built, with all packages that this needs
-#   SUITE-used   a copy of it in which packages are tried, made anew for each trial
+# choose_suite first. A suite has four directories in $systems:
+#   SUITE-bare      what debootstrap makes, and nothing else
+#   SUITE           a copy of it in which the library is built, with all packages that this needs
+#   SUITE-paraview  a copy of it in which the plugin is built, with ParaView and what that needs
+#   SUITE-used      a copy of it in which packages are tried, made anew for each trial
 
 suites="bookworm trixie sid"
 keyring=/usr/share/keyrings/debian-archive-keyring.gpg
@@ -92,10 +93,13 @@ make_bare_system()
   touch "$bare/.complete"
 }
 
+# One that this script has made is fresh enough for all systems that it copies it to.
+bare_is_new=no
 ensure_bare_system() # FRESH
 {
-  if [ "$1" = yes ] || [ ! -e "$systems/$suite-bare/.complete" ]; then
+  if [ "$1$bare_is_new" = yesno ] || [ ! -e "$systems/$suite-bare/.complete" ]; then
     make_bare_system
+    bare_is_new=yes
   fi
 }
 
@@ -106,10 +110,10 @@ copy_bare_system() # DIRECTORY
   touch "$1/.copied"
 }
 
-# The system that the library is built in.
-ensure_system() # FRESH
+# A system that is kept, to build in.
+ensure_system() # FRESH [DIRECTORY]
 {
-  local system=$systems/$suite
+  local system=${2:-$systems/$suite}
   if [ "$1" = no ] && [ -e "$system/.copied" ]; then
     say "Using the system in $system; --fresh makes a new one"
   else

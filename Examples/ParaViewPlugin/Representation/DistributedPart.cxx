@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedPart.h"
 
+#include "DividedGrid.h"
+
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCommunicator.h"
@@ -428,31 +430,28 @@ bool HasVolume(vtkDataSet* dataSet)
   return false;
 }
 
-bool HasMeshes(vtkDataObject* data)
-{
-  const std::vector<vtkDataSet*> dataSets = DataSetsOf(data);
-  return vtkOverlappingAMR::SafeDownCast(data) ||
-    std::any_of(dataSets.begin(), dataSets.end(), IsMesh);
-}
-
-vtkSmartPointer<vtkDataObject> WithGhostCells(
-  vtkDataObject* input, vtkMultiProcessController* controller)
+NeededData WithGhostCells(vtkDataObject* input, vtkMultiProcessController* controller)
 {
   const std::vector<vtkDataSet*> dataSets = DataSetsOf(input);
   const auto has = [&](bool (*what)(vtkDataSet*))
   { return std::any_of(dataSets.begin(), dataSets.end(), what) ? 1 : 0; };
-  const int mine[2] = { has([](vtkDataSet* set) { return set->GetNumberOfCells() > 0; }),
-    has(HasGhostCells) };
-  int all[2] = { mine[0], mine[1] };
-  controller->AllReduce(mine, all, 2, vtkCommunicator::SUM_OP);
+  const int mine[3] = { has([](vtkDataSet* set) { return set->GetNumberOfCells() > 0; }),
+    has(HasGhostCells), has(IsMesh) };
+  int all[3] = { mine[0], mine[1], mine[2] };
+  controller->AllReduce(mine, all, 3, vtkCommunicator::SUM_OP);
 
+  const bool isSplit = all[0] > 1, isLayered = all[1] > 0, hasMeshes = all[2] > 0;
+  auto* amr = vtkOverlappingAMR::SafeDownCast(input);
+  if (amr && all[0] > 0 && controller->GetNumberOfProcesses() > 1)
+  {
+    const DividedGrid divided = Divide(amr, controller);
+    return { divided.Blocks, divided.Box, false };
+  }
   const auto copy = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
-  const bool isSplit = all[0] > 1, isLayered = all[1] > 0;
-  // The levels of an adaptive grid tell themselves what is hidden.
-  if (!isSplit || isLayered || vtkOverlappingAMR::SafeDownCast(input))
+  if (!isSplit || isLayered)
   {
     copy->ShallowCopy(input);
-    return copy;
+    return { copy, {}, hasMeshes };
   }
   // The pipeline gave none, so processes exchange them here.
   vtkNew<vtkGhostCellsGenerator> generator;
@@ -462,22 +461,32 @@ vtkSmartPointer<vtkDataObject> WithGhostCells(
   generator->SetInputDataObject(input);
   generator->Update();
   copy->ShallowCopy(generator->GetOutputDataObject(0));
-  return copy;
+  return { copy, {}, hasMeshes };
 }
 
 DistributedPart Describe(
-  vtkDataObject* data, const ArrayChoice& choice, vtkMultiProcessController* controller)
+  const NeededData& needed, const ArrayChoice& choice, vtkMultiProcessController* controller)
 {
   DistributedPart part;
-  const std::vector<vtkDataSet*> dataSets = DataSetsOf(data);
-  FindOwnedPart(dataSets, HasMeshes(data), part);
+  const std::vector<vtkDataSet*> dataSets = DataSetsOf(needed.Data);
+  // The levels of an adaptive grid tell themselves what is hidden.
+  const bool isAdaptive = vtkOverlappingAMR::SafeDownCast(needed.Data) != nullptr;
+  if (needed.Box.IsValid())
+  {
+    part.Owned = part.Crop = needed.Box;
+    part.IsCut = true;
+  }
+  else
+  {
+    FindOwnedPart(dataSets, isAdaptive || needed.HasMeshes, part);
+  }
   for (vtkDataSet* dataSet : dataSets)
   {
     if (vtkDataArray* array = choice.In(dataSet))
     {
       AddRanges(array, part);
     }
-    if (choice.IsOnCells && !IsMesh(dataSet) && !vtkOverlappingAMR::SafeDownCast(data))
+    if (choice.IsOnCells && !IsMesh(dataSet) && !isAdaptive)
     {
       ShowDuplicates(dataSet);
     }

@@ -49,24 +49,31 @@ std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
 /// without volume for a mistake, but a process may well have none of the cells.
 bool HasVolume(vtkDataSet* dataSet);
 
-/// True if there are grids other than images and rectilinear ones: their cells that belong to
-/// another process are not drawn, and nothing has to be cut.
-bool HasMeshes(vtkDataObject* data);
-
 /// Layers of cells beyond the own: one for gradients, and one more for scalars of cells, whose
 /// samples lie half a cell farther inside.
 constexpr int NumberOfGhostLayers = 2;
 
-/// A copy, as shallow as can be, that has ghost cells wherever another process goes on.
+/// What a process needs to draw its part.
+struct NeededData
+{
+  vtkSmartPointer<vtkDataObject> Data;
+  vtkBoundingBox Box; ///< all that is to be drawn of it; invalid: that, the data tells
+
+  /// True if a process has grids other than images, rectilinear and adaptive ones: their cells that
+  /// belong to another process are not drawn, and nothing has to be cut.
+  bool HasMeshes = false;
+};
+
+/// A copy, as shallow as can be, that has ghost cells wherever another process goes on; of an
+/// adaptive grid, the blocks that fill this process's box and its surroundings.
 /// All processes call this together.
-vtkSmartPointer<vtkDataObject> WithGhostCells(
-  vtkDataObject* input, vtkMultiProcessController* controller);
+NeededData WithGhostCells(vtkDataObject* input, vtkMultiProcessController* controller);
 
 /// Describe the part of this process. Ghost arrays that tell of nothing but layers around a box are
 /// taken away: a box is cut off more cheaply, and has isomaps. Where scalars of cells are chosen,
 /// cells of other processes are samples as good as any.
 /// All processes call this together.
 DistributedPart Describe(
-  vtkDataObject* data, const ArrayChoice& choice, vtkMultiProcessController* controller);
+  const NeededData& needed, const ArrayChoice& choice, vtkMultiProcessController* controller);
 
 #endif

@@ -3,10 +3,12 @@
 #include "vtkTemporalIsosurfaceRepresentation.h"
 
 #include "DistributedPart.h"
+#include "MergedMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -27,6 +29,7 @@
 #include "vtkTemporalIsosurfaceActor.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -102,6 +105,11 @@ std::string NamesIn(vtkDataObject* data)
     text += (text.empty() ? "" : ", ") + name;
   }
   return text;
+}
+
+bool IsAlone(vtkMultiProcessController* controller)
+{
+  return !controller || controller->GetNumberOfProcesses() < 2;
 }
 
 void AssignValues(vtkDoubleArray* to, const double* begin, std::size_t count)
@@ -220,8 +228,15 @@ int vtkTemporalIsosurfaceRepresentation::RequestData(
   DistributedPart part;
   if (input)
   {
-    this->Cache = WithGhostCells(input, controller);
-    part = Describe(this->Cache, this->ChooseArray(input), controller);
+    NeededData needed = WithGhostCells(input, controller);
+    const bool areExchanged = needed.HasMeshes && this->IsTranslucent() && !IsAlone(controller);
+    if (areExchanged && vtkCompositeDataSet::SafeDownCast(needed.Data))
+    {
+      needed.Data = Merge(needed.Data, this->ChooseArray(needed.Data));
+    }
+    this->HasMeshes = needed.HasMeshes;
+    this->Cache = needed.Data;
+    part = Describe(needed, this->ChooseArray(this->Cache), controller);
     part.WriteTo(this->Cache);
     this->DataSize = this->Cache->GetActualMemorySize();
     this->Actor->SetEnableLOD(0);
@@ -256,7 +271,7 @@ int vtkTemporalIsosurfaceRepresentation::ProcessViewRequest(
   {
     // Opaque surfaces have depths, by which pictures can be put together in any order.
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->IsTranslucent() ? 1 : 0);
-    if (this->Cache && HasMeshes(this->Cache))
+    if (this->Cache && this->HasMeshes)
     {
       // Parts of meshes may reach around one another: for translucent ones cells are exchanged.
       vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
@@ -264,12 +279,6 @@ int vtkTemporalIsosurfaceRepresentation::ProcessViewRequest(
     }
   }
   return 1;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTemporalIsosurfaceRepresentation::IsTranslucent()
-{
-  return this->UseOpacityFunction || this->Opacity < 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -313,10 +322,9 @@ void vtkTemporalIsosurfaceRepresentation::UpdateMapperParameters()
   const DistributedPart part = DistributedPart::ReadFrom(data);
   const std::vector<vtkDataSet*> dataSets = DataSetsOf(data);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const bool isAlone = !controller || controller->GetNumberOfProcesses() < 2;
   this->Actor->SetVisibility(std::any_of(dataSets.begin(), dataSets.end(),
     [&](vtkDataSet* dataSet)
-    { return choice.In(dataSet) != nullptr && (isAlone || HasVolume(dataSet)); }));
+    { return choice.In(dataSet) != nullptr && (IsAlone(controller) || HasVolume(dataSet)); }));
   this->ShowScalars(choice);
   this->ShowColors();
   this->ShowRegion(part);

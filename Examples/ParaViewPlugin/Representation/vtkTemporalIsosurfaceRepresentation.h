@@ -158,6 +158,7 @@ private:
 
   vtkTemporalCoherenceVolumeMapper* GetMapper();
   bool IsTranslucent();
+  void PrepareAgainUnless(bool wasTranslucent);
   bool IsColoredByArray();
   ArrayChoice ChooseArray(vtkDataObject* data);
   std::array<double, 2> RangeOfScalars(const DistributedPart& part);
@@ -178,6 +179,7 @@ private:
   double Opacity = 1.0;
   bool UseOpacityFunction = false;
   bool Crops = false;
+  bool HasMeshes = false;  ///< of any process, in the cache
   std::string LastMessage; ///< reported already
   bool ShowStatistics = false;
   vtkNew<vtkTextActor> StatisticsText;

@@ -102,17 +102,37 @@ void vtkTemporalIsosurfaceRepresentation::SetScalarOpacity(vtkPiecewiseFunction*
 //------------------------------------------------------------------------------
 void vtkTemporalIsosurfaceRepresentation::SetOpacity(double opacity)
 {
+  const bool wasTranslucent = this->IsTranslucent();
   this->Opacity = opacity;
   this->ConstantOpacity->RemoveAllPoints();
   this->ConstantOpacity->AddPoint(0.0, opacity);
   this->Modified();
+  this->PrepareAgainUnless(wasTranslucent);
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalIsosurfaceRepresentation::SetUseOpacityFunction(bool uses)
 {
+  const bool wasTranslucent = this->IsTranslucent();
   this->UseOpacityFunction = uses;
   this->Modified();
+  this->PrepareAgainUnless(wasTranslucent);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalIsosurfaceRepresentation::IsTranslucent()
+{
+  return this->UseOpacityFunction || this->Opacity < 1.0;
+}
+
+//------------------------------------------------------------------------------
+/// Blocks of meshes are merged if they are translucent.
+void vtkTemporalIsosurfaceRepresentation::PrepareAgainUnless(bool wasTranslucent)
+{
+  if (this->HasMeshes && this->IsTranslucent() != wasTranslucent)
+  {
+    this->MarkModified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MergedMesh.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace
+{
+
+/// The same points and cells with one array, and flags of both: what not all have is lost.
+vtkSmartPointer<vtkDataSet> WithArray(vtkDataSet* block, const ArrayChoice& choice)
+{
+  const auto copy = vtkSmartPointer<vtkDataSet>::Take(block->NewInstance());
+  copy->CopyStructure(block);
+  vtkDataArray* const array = choice.In(block);
+  (choice.IsOnCells ? static_cast<vtkDataSetAttributes*>(copy->GetCellData())
+                    : copy->GetPointData())
+    ->AddArray(array);
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataArray* flags =
+      block->GetAttributes(association)->GetArray(vtkDataSetAttributes::GhostArrayName());
+    vtkNew<vtkUnsignedCharArray> none;
+    if (!flags)
+    {
+      none->SetName(vtkDataSetAttributes::GhostArrayName());
+      none->SetNumberOfTuples(block->GetNumberOfElements(association));
+      none->Fill(0);
+      flags = none;
+    }
+    copy->GetAttributes(association)->AddArray(flags);
+  }
+  return copy;
+}
+
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Merge(vtkDataObject* blocks, const ArrayChoice& choice)
+{
+  const std::vector<vtkDataSet*> dataSets = DataSetsOf(blocks);
+  const auto hasArray = [&](vtkDataSet* dataSet) { return choice.In(dataSet) != nullptr; };
+  const bool isThere = std::any_of(dataSets.begin(), dataSets.end(), hasArray);
+  vtkNew<vtkAppendFilter> append;
+  bool isEmpty = true;
+  for (vtkDataSet* dataSet : dataSets)
+  {
+    if (dataSet->GetNumberOfCells() > 0 && (!isThere || hasArray(dataSet)))
+    {
+      append->AddInputData(
+        isThere ? WithArray(dataSet, choice) : vtkSmartPointer<vtkDataSet>(dataSet));
+      isEmpty = false;
+    }
+  }
+  const auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  if (!isEmpty)
+  {
+    append->Update();
+    mesh->ShallowCopy(append->GetOutput());
+  }
+  return mesh;
+}

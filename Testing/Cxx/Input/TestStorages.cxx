@@ -20,8 +20,8 @@
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #include <vtkConstantArray.h>
 #include <vtkFloatArray.h>
+#include <vtkImplicitArray.h>
 #include <vtkShortArray.h>
-#include <vtkStdFunctionArray.h>
 #include <vtkStridedArray.h>
 #include <vtkTypeInt64Array.h>
 #endif
@@ -119,7 +119,7 @@ Array Computed(vtkDataArray* array)
 {
   const Array source = array;
   const vtkIdType components = array->GetNumberOfComponents();
-  vtkNew<vtkStdFunctionArray<double>> computed;
+  vtkNew<vtkImplicitArray<std::function<double(vtkIdType)>>> computed;
   computed->SetName(array->GetName());
   computed->ConstructBackend([source, components](vtkIdType i)
     { return source->GetComponent(i / components, static_cast<int>(i % components)); });

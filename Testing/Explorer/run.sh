@@ -275,7 +275,8 @@ check_refusals()
 check_help()
 {
   key question '^help on'
-  key F1 '^help off'
+  # F1 by its code: of its name xdotool makes Alt+F1 with the keymaps of Debian sid.
+  key 67 '^help off'
 }
 
 # A hundred steps, a pixel or more each; every one shows another isovalue, looked up.

@@ -15,6 +15,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRectilinearGrid.h>
+#include <vtkVersionMacros.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,9 @@ namespace Inputs
 {
 namespace
 {
+
+// Since VTK 9.6 coordinates of more components end the program.
+constexpr int MostComponents = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0) ? 1 : 2;
 
 vtkSmartPointer<vtkDataArray> MakeCoordinates(World& world, int count)
 {
@@ -39,7 +43,7 @@ vtkSmartPointer<vtkDataArray> MakeCoordinates(World& world, int count)
   {
     array = vtkSmartPointer<vtkIntArray>::New();
   }
-  array->SetNumberOfComponents(from.OneIn(30) ? 2 : 1);
+  array->SetNumberOfComponents(std::min(from.OneIn(30) ? 2 : 1, MostComponents));
   array->SetNumberOfTuples(count);
   array->Fill(0.0);
   const int kind = from.Pick(6);

@@ -275,7 +275,7 @@ check_refusals()
 check_help()
 {
   key question '^help on'
-  # F1 by its code: of its name xdotool makes Alt+F1 with the keymaps of Debian sid.
+  # F1 by its code: with the keymaps of Debian sid, xdotool takes the name for Alt+F1.
   key 67 '^help off'
 }
 

@@ -7,9 +7,9 @@
 #include <vtkXMLDataElement.h>
 
 // One of VTK's readers of XML files, for a file that may hold an array once for each time step.
-// Since VTK 9.6 a reader keeps the first array of a name alone, whatever time is asked for, so this
-// one leaves out those of other times before. It is good for one time step: make another for the
-// next one.
+// Since VTK 9.6 a reader keeps only the first array of a name, whatever time is asked for. So this
+// one drops the arrays of other times before that. It reads one time step: make another one for the
+// next.
 template <typename Reader>
 class OneTimeStep : public Reader
 {

@@ -16,7 +16,8 @@
 namespace
 {
 
-/// The same points and cells with one array, and flags of both: what not all have is lost.
+/// Copy the points and cells of a block, with the chosen array and ghost flags of both. Blocks
+/// without flags get empty ones: appending drops each array that some block lacks.
 vtkSmartPointer<vtkDataSet> WithArray(vtkDataSet* block, const ArrayChoice& choice)
 {
   const auto copy = vtkSmartPointer<vtkDataSet>::Take(block->NewInstance());

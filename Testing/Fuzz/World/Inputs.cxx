@@ -27,8 +27,8 @@ namespace Inputs
 namespace
 {
 
-// Since VTK 9.6 images lay out coordinates along each axis: fewer than no points end the program,
-// and an axis takes memory.
+// Since VTK 9.6 images lay out coordinates along each axis: a negative number of points ends the
+// program, and a long axis takes memory.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 constexpr int MostMissing = 1;
 constexpr int LongestAxis = 1 << 21;

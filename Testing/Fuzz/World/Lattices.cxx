@@ -28,7 +28,7 @@ namespace Inputs
 namespace
 {
 
-// Since VTK 9.6 coordinates of more components end the program.
+// Since VTK 9.6 coordinates with several components end the program.
 constexpr int MostComponents = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0) ? 1 : 2;
 
 vtkSmartPointer<vtkDataArray> MakeCoordinates(World& world, int count)

@@ -38,8 +38,9 @@ PointInCell FindPoint(const MeshCell& cell, const glm::dvec3& point, double tole
 /// the range of values in the cell. Otherwise it is the place of another part of a folded cell.
 constexpr double SameValue = 1e-3;
 
-/// The same in a cell that may be folded: of several places, that one is found whose value is next
-/// to a given one. NaN: no value is known.
+/// Find the place of a point in a cell that may be folded, so that the point has several places:
+/// the one whose value is closest to the value that the point is known to have.
+/// \param value NaN if it is not known
 PointInCell FindPointWith(const MeshCell& cell, const glm::dvec3& point, double value);
 
 /// All places of a point in a hexahedron.

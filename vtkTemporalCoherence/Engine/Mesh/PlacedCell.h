@@ -38,7 +38,7 @@ struct alignas(64) PlacedCell
   std::array<double, Size> Numbers; ///< coefficients of x, y, z and the value
   glm::dvec3 Origin;
   double PerLength;  ///< a power of two
-  double FirstValue; ///< which the function of the value is 0 at
+  double FirstValue; ///< where the function of the value is 0
 
   void Place(const MeshCell& cell)
   {

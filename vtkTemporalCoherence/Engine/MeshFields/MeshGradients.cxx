@@ -178,7 +178,7 @@ void TellValues(
   }
 }
 
-/// The same in cells of all kinds.
+/// Find gradients at the places of hits in cells, whose kinds may differ.
 void FindAtPoints(const MeshTree& tree, const PointGradients* averaged, const HitCells& cells,
   const GradientQuery& query, const GradientTile& tile)
 {

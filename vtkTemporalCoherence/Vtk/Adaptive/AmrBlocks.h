@@ -47,7 +47,7 @@ struct AmrBlock
   std::size_t Level = 0;
   AmrBox Stored;                        ///< cells in its arrays, on the lattice of the level
   AmrBox Cells;                         ///< those without layers of copies of others' cells
-  AmrBox Finest;                        ///< the same on the finest lattice
+  AmrBox Finest;                        ///< Cells, on the finest lattice
   std::string Name;                     ///< for messages
   const std::uint8_t* Ghosts = nullptr; ///< flags of each stored cell; null: there are none
 

@@ -87,7 +87,7 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
     NoteValues(leaf, component, now.Values);
   }
   const bool isMade = this->OfLeaves != nullptr && this->Parts.size() == leaves.size();
-  // A new limit divides cells otherwise.
+  // Under another limit, curved cells are divided differently.
   const bool isLimitNew = budget.Memory != this->Limit &&
     std::any_of(this->Parts.begin(), this->Parts.end(),
       [](const LeafPart& part) { return part.Census.HasOthers; });

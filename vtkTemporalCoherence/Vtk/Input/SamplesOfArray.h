@@ -89,7 +89,9 @@ struct ArrayPlaces
 /// more tuples than points VTK draws the first ones.
 bool HasOneForEach(vtkDataArray* array, const ArrayPlaces& places);
 
-/// The same. \param error gets what is wrong and what to do about it
+/// Check that an array has one tuple for each place, as HasOneForEach counts.
+/// \param error gets what is wrong and what to do about it
+/// \return false if it has not
 bool CheckTuples(vtkDataArray* array, const ArrayPlaces& places, std::string& error);
 
 /// The name of an array in quotation marks, for messages.

@@ -64,7 +64,7 @@ struct VectorChoice
 /// The scalar that is drawn of an array's tuples.
 struct DrawnComponent
 {
-  /// Another number for each scalar, also for components that no array has.
+  /// A number that differs for each scalar, even for components that no array has.
   double Key() const { return this->IsMagnitude ? 0.5 : this->Number; }
 
   bool IsMagnitude = false; ///< the length of each tuple

@@ -263,6 +263,24 @@ void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfIsomapLimit(bool isTooLa
 }
 
 //------------------------------------------------------------------------------
+std::string vtkTemporalCoherenceVolumeMapper::Internals::ReasonOf(
+  TemporalCoherence::DivisionLimit limit) const
+{
+  const std::string fewer = " fewer cells, for example with vtkExtractCells.";
+  switch (limit)
+  {
+    case TemporalCoherence::DivisionLimit::Memory:
+      return "MeshMemoryLimit (" + std::to_string(this->Self->MeshMemoryLimit) +
+        " MiB) allows no more cells. Raise the limit, or draw" + fewer;
+    case TemporalCoherence::DivisionLimit::Cells:
+      return "there would be too many linear cells. Draw" + fewer;
+    default:
+      return "an edge is divided into no more than 512 parts, one of a pyramid into 16. If that "
+             "shows, divide the cells before.";
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfDivision()
 {
   constexpr double largestError = 0.01;
@@ -274,10 +292,7 @@ void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfDivision()
       "Curved cells of the input are drawn with an error of up to "
         << 100.0 * error.OfPoints << " % of their size (GetMeshPointError) and "
         << 100.0 * error.OfValues << " % of the range of their values (GetMeshValueError), as "
-        << (error.IsByMemory ? "MeshMemoryLimit (" + std::to_string(this->Self->MeshMemoryLimit) +
-                 " MiB) allows no more cells. Raise the limit, or draw"
-                             : std::string("there would be too many linear cells. Draw"))
-        << " fewer cells, for example with vtkExtractCells.");
+        << this->ReasonOf(error.Limit));
   }
   this->HasWarnedOfDivision = isLarge;
   if (error.Overlapping > 0 && !this->HasWarnedOfOverlap)

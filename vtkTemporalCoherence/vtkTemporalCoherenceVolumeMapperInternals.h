@@ -4,6 +4,7 @@
 #define vtkTemporalCoherenceVolumeMapperInternals_h
 
 #include "Frames/MapperFrames.h"
+#include "Input/DivisionError.h"
 #include "Render/SampleDistance.h"
 #include "Request/EmptyPicture.h"
 #include "Request/IsovalueCheck.h"
@@ -138,6 +139,9 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   /// Warn once if curved cells are divided into too few cells.
   void WarnOfDivision();
 
+  /// What keeps curved cells from being divided further, and what to do about it.
+  std::string ReasonOf(TemporalCoherence::DivisionLimit limit) const;
+
   /// Say a warning, if there is one.
   void Warn(const std::string& warning);
   void WarnOfIsomapLimit(bool isTooLarge);
@@ -156,7 +160,8 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
       ? this->Empties.Check(drawn, this->Frames.LastSamples(), this->Frames.LastRanges())
       : std::string();
     return !reason.empty() ? reason
-      : request.Key.Samples.HasCells() && !request.Key.Volume.IsOn()
+      : request.Key.Samples.HasCells() && !request.Key.Volume.IsOn() &&
+        !this->Empties.IsTold(drawn.Volume)
       ? this->Isovalues.Check(drawn, request, this->Frames.LastRanges())
       : std::string();
   }

@@ -20,6 +20,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iomanip>
 #include <limits>
@@ -221,10 +222,6 @@ void TestNoMistakes()
   invisible.Volume->GetProperty()->GetScalarOpacity()->RemoveAllPoints();
   invisible.Volume->GetProperty()->GetScalarOpacity()->AddPoint(60.0, 0.0);
   ExpectNone("a surface that is transparent", invisible);
-  Scene even(
-    Volumes::FromFormula(9, VTK_FLOAT, [](double, double, double) { return 3.0; }), { 0.0 });
-  ExpectNone("samples without a range", even);
-
   Scene solid(image, { range[0] - 1.0 });
   solid.Mapper->SetSurfaceModeToThreshold();
   ExpectNone("a solid of all samples", solid);
@@ -250,6 +247,43 @@ void TestNoMistakes()
     Scene beyond(holes, { special > 0.0 ? 0.0 : 1000.0 });
     ExpectOne("beyond what has holes", beyond);
   }
+}
+
+/// Samples that are all alike have no surface at any isovalue.
+void TestAlike()
+{
+  const double infinite = std::numeric_limits<double>::infinity();
+  const auto imageOf = [](double even, double odd)
+  {
+    return Volumes::FromFormula(
+      9, VTK_FLOAT, [=](double x, double, double) { return std::lround(x) % 2 == 0 ? even : odd; });
+  };
+  const auto expect =
+    [&](const std::string& what, double even, double odd, double isovalue, const char* words)
+  {
+    Scene scene(imageOf(even, odd), { isovalue });
+    scene.LookFrom(1.0, 2.0, 0.5);
+    Listener listener(scene);
+    Expect(listener.Warns(what), what + ": no warning");
+    Expect(listener.Message.find(words) != std::string::npos, what + ": " + listener.Message);
+    Expect(!listener.Warns(what + ", again"), what + ": said twice");
+  };
+  for (const double isovalue : { 0.0, 3.0, 7.0 })
+  {
+    expect("equal samples", 3.0, 3.0, isovalue, "all of them are 3,");
+  }
+  expect("infinite samples", infinite, infinite, 1.0, "all of them are inf,");
+  expect("infinite samples below", -infinite, -infinite, 1.0, "all of them are -inf,");
+  expect("numbers that are equal", 3.0, std::nan(""), 1.0, "all of them are 3,");
+  expect("above infinite samples", 3.0, infinite, 1.0, "range from 3 to inf,");
+  // This reason is the same for all isovalues and modes.
+  expect("samples that are no numbers", std::nan(""), std::nan(""), 1.0, "that is NaN");
+  Scene between(imageOf(3.0, infinite), { 10.0 }), both(imageOf(-infinite, infinite), { 1.0 });
+  ExpectNone("between a sample and an infinite one", between);
+  ExpectNone("between infinite samples", both);
+  Scene solid(imageOf(3.0, 3.0), { 2.0 });
+  solid.Mapper->SetSurfaceModeToThreshold();
+  ExpectNone("a solid of equal samples", solid);
 }
 
 /// Time steps without a surface are no mistake, where others had one.
@@ -373,6 +407,7 @@ int TestIsovalueWarning(int, char*[])
   TestSmallestSample();
   TestUntouchedTransparent();
   TestNoMistakes();
+  TestAlike();
   TestTimeSteps();
   TestPieces();
   TestBlocks();

@@ -15,6 +15,7 @@
 
 #include <vtkCommand.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -253,6 +254,27 @@ void TestNeighbours()
   }
 }
 
+/// A cell with a point that has no value is left out as a whole, and not only the parts there.
+void TestWithoutValue()
+{
+  PolyhedronGrid grid({ PrismOver(UShape, 0.0, 1.0),
+                        PrismOver({ { 1, 1 }, { 2, 1 }, { 2, 3 }, { 1, 3 } }, 0.0, 1.0) },
+    1);
+  grid.Give([](const glm::dvec3& at) { return at == glm::dvec3(0.0) ? std::nan("") : Linear(at); });
+  std::vector<MeshPart> parts;
+  std::string error;
+  Expect(AppendSubdividedCells(
+           grid.Made.Get(), grid.Made->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error),
+    "a point without a value: " + error);
+  double volume = 0.0;
+  for (std::int64_t c = 0; c < parts.at(0).NumberOfCells; ++c)
+  {
+    volume += VolumeIn(FacesOfPart(parts[0], c));
+  }
+  Expect(
+    std::abs(volume - 2.0) < 1e-12, "a point without a value: volume " + std::to_string(volume));
+}
+
 /// The sides of a hexagonal prism may bend inwards.
 void TestPrism()
 {
@@ -349,6 +371,7 @@ int TestConcaveCells(int, char*[])
 {
   TestCells();
   TestNeighbours();
+  TestWithoutValue();
   TestPrism();
   TestConvex();
   TestUndivided();

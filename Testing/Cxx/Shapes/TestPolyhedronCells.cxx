@@ -18,6 +18,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkVersionMacros.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -248,6 +249,17 @@ void TestConvexSets()
   Expect(std::abs(volume - 1.0) < 1e-9, "a point nowhere: volume " + std::to_string(volume));
 }
 
+/// A cell with a point that has no value is left out as a whole.
+void TestWithoutValues()
+{
+  const Grid sets = TileCubes(VTK_CONVEX_POINT_SET, HexahedronPattern(VTK_HEXAHEDRON), 3);
+  GiveLinear(sets);
+  sets->GetPointData()->GetScalars()->SetComponent(0, 0, std::nan("")); // a corner of one cell
+  const double volume = SumOfVolumes(PartOf(sets, "a convex set without a value"));
+  Expect(std::abs(volume - 26.0 / 27.0) < 1e-9,
+    "a convex set without a value: volume " + std::to_string(volume));
+}
+
 /// A cell with a flag is left out, and its neighbours keep their numbers.
 void TestHidden()
 {
@@ -406,6 +418,7 @@ int TestPolyhedronCells(int, char*[])
   TestHoneycomb();
   TestOthers();
   TestConvexSets();
+  TestWithoutValues();
   TestHidden();
   TestErrors();
   TestWrongOffsets();

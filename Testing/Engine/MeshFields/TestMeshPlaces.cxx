@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 // Caps have the normals of the faces of the cells that are hit, which cost no search.
@@ -91,6 +92,22 @@ protected:
     }
   }
 
+  /// The least and the largest coordinates of the mesh.
+  std::pair<glm::dvec3, glm::dvec3> Bounds() const
+  {
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
+    this->ForEachCell(
+      [&](CellNumber, const MeshCell& cell)
+      {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(cell.NumberOfPoints()); ++i)
+        {
+          low = glm::min(low, cell.Points[i]);
+          high = glm::max(high, cell.Points[i]);
+        }
+      });
+    return { low, high };
+  }
+
   std::shared_ptr<const MeshTree> Tree;
   Field Samples;
 };
@@ -159,6 +176,103 @@ TEST_P(MeshPlaces, CapsHaveNormalsOnEdges)
         const glm::dvec3 normal = this->NormalAt(point, direction, number);
         EXPECT_NEAR(glm::length(normal), 1.0, 1e-9) << number;
         EXPECT_LT(glm::dot(normal, direction), -1e-6) << number;
+      }
+    });
+}
+
+/// A ray through an edge of a solid comes through the face that the solid ends at, and not through
+/// one to another cell, though it is on both.
+TEST_P(MeshPlaces, CapsOnEdgesHaveNormalsOfTheBoundary)
+{
+  if (this->GetParam() == Meshes::Cells::Mixed)
+  {
+    GTEST_SKIP() << "there are gaps between faces of cells of different types";
+  }
+  const auto [low, high] = this->Bounds();
+  int count = 0;
+  this->ForEachCell(
+    [&](CellNumber number, const MeshCell& cell)
+    {
+      const bool isTetrahedron = cell.Shape == MeshCellShape::Tetrahedron;
+      const glm::dvec3 middle = MeshKernels::PointAt(cell, glm::dvec3(isTetrahedron ? 0.25 : 0.5));
+      const std::vector<Face> faces = FacesOf(cell);
+      const auto isOuter = [&, low = low, high = high](const Face& face)
+      {
+        bool isOn = false;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double slope = std::abs(face.U[axis]) + std::abs(face.V[axis]);
+          const double gap =
+            std::min(face.Middle[axis] - low[axis], high[axis] - face.Middle[axis]);
+          isOn |= slope < 1e-9 && gap < 1e-4;
+        }
+        return isOn;
+      };
+      if (std::count_if(faces.begin(), faces.end(), isOuter) != 1)
+      {
+        return;
+      }
+      const Face& outer = *std::find_if(faces.begin(), faces.end(), isOuter);
+      const glm::dvec3 across = glm::normalize(glm::cross(outer.U, outer.V));
+      for (const Face& other : faces)
+      {
+        // Where the line between the middles of both faces would bend: a point of their edge.
+        const glm::dvec3 across2 = glm::cross(other.U, other.V);
+        const glm::dvec3 along = other.Middle - outer.Middle;
+        const glm::dvec3 inOuter = glm::cross(across, glm::cross(across2, across));
+        const double rise = glm::dot(across2, inOuter);
+        if (&other == &outer || other.IsFlat() || std::abs(rise) < 1e-6)
+        {
+          continue;
+        }
+        const glm::dvec3 edge = outer.Middle + inOuter * (glm::dot(across2, along) / rise);
+        const glm::dvec3 direction = middle - edge;
+        const MeshKernels::PointInCell place = MeshKernels::FindPoint(cell, edge, 1e-7);
+        const bool isMet = place.IsIn && glm::distance(edge, outer.Middle) > 1e-3;
+        if (isMet && std::abs(glm::dot(across, glm::normalize(direction))) > 0.05)
+        {
+          ++count;
+          const glm::dvec3 normal = this->NormalAt(edge, direction, number);
+          EXPECT_GT(std::abs(glm::dot(normal, across)), 1.0 - 1e-6) << number;
+        }
+      }
+    });
+  EXPECT_GT(count, 50);
+}
+
+/// Where a plane clips a solid, the cap has the plane's normal, though the ray is on a face between
+/// two cells there.
+TEST_P(MeshPlaces, CapsOnPlanesHaveNoNormalsOfInnerFaces)
+{
+  if (this->GetParam() == Meshes::Cells::Mixed)
+  {
+    GTEST_SKIP() << "there are gaps between faces of cells of different types";
+  }
+  const auto [low, high] = this->Bounds();
+  const glm::dvec3 center = 0.5 * (low + high);
+  const double radius = 0.3 * glm::distance(low, center);
+  this->ForEachCell(
+    [&](CellNumber number, const MeshCell& cell)
+    {
+      const bool isTetrahedron = cell.Shape == MeshCellShape::Tetrahedron;
+      const glm::dvec3 middle = MeshKernels::PointAt(cell, glm::dvec3(isTetrahedron ? 0.25 : 0.5));
+      for (const Face& face : FacesOf(cell))
+      {
+        if (face.IsFlat() || glm::distance(face.Middle, center) > radius)
+        {
+          continue;
+        }
+        const glm::dvec3 direction = glm::normalize(middle - face.Middle);
+        const glm::dvec3 normal =
+          glm::normalize(direction + 0.7 * glm::normalize(face.U) + glm::dvec3(0.0, 0.1, 0.2));
+        const glm::dvec3 point = this->Tree->ToIndex(face.Middle);
+        for (const double beside : { 0.0, 1e-15, 1e-7, -1e-6 })
+        {
+          CapPlanes planes;
+          planes.OfRegion = { glm::dvec4(normal, beside - glm::dot(normal, point)) };
+          const glm::dvec3 found = CapNormal({ point, direction, number }, this->Samples, planes);
+          EXPECT_GT(std::abs(glm::dot(found, normal)), 1.0 - 1e-9) << number;
+        }
       }
     });
 }

@@ -19,6 +19,12 @@ namespace
 /// How far outside of a cell a point on its face may seem to be, in its own coordinates.
 constexpr double OnFace = 1e-7;
 
+bool AreNumbers(const MeshCell& cell)
+{
+  const auto end = cell.Values.begin() + cell.NumberOfPoints();
+  return std::all_of(cell.Values.begin(), end, [](double value) { return !std::isnan(value); });
+}
+
 /// False if a point surely lies outside of a cell, farther than OnFace.
 bool MayHold(const MeshCell& cell, const glm::dvec3& point)
 {
@@ -73,51 +79,102 @@ void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, const Visit& vi
     });
 }
 
-/// The face of a cell through which a ray came to a place in it, or goes on from there.
+/// A face of a cell through which a ray came to a place in it, or goes on from there.
 struct EntryFace
 {
-  double Distance;   ///< in the coordinates of the mesh; infinite if the cell is flat there
-  glm::dvec3 Normal; ///< out of the cell, of unit length
+  double Distance = std::numeric_limits<double>::infinity(); ///< in the coordinates of the mesh
+  glm::dvec3 Normal{ 0.0 };                             ///< of unit length, facing against the ray
+  double Ago = std::numeric_limits<double>::infinity(); ///< how far back along the ray
+  glm::dvec3 Middle{ 0.0 };  ///< of the face, in the coordinates of the cell
+  glm::dvec3 Outward{ 0.0 }; ///< by which a coordinate of the cell changes by 1
 };
 
-/// \param mayLeave a face through which the ray leaves the cell counts, too; the normal is turned
-///                 against the ray then
-EntryFace FindEntryFace(
-  const MeshCell& cell, const glm::dvec3& at, const glm::dvec3& direction, bool mayLeave = false)
+/// Call visit(face) for each face through which a ray came to a place in a cell.
+/// \param mayLeave a face through which the ray leaves the cell counts, too
+template <typename Visit>
+void VisitEntryFaces(const MeshCell& cell, const glm::dvec3& at, const glm::dvec3& direction,
+  bool mayLeave, const Visit& visit)
 {
   // On a face a coordinate is 0 or 1, or those of a tetrahedron sum to 1. The gradient of such a
   // coordinate is the face's normal, and its length tells how fast it grows away from the face.
-  // The ray entered through the last of the faces that it came through. Rounding errors count, so
-  // that on an edge it is not a face that the ray runs along.
+  // Rounding errors count, so that a ray does not come through a face that it runs along.
   constexpr double rounding = 1e-12;
-  double last = std::numeric_limits<double>::infinity();
-  EntryFace entry{ last, glm::dvec3(0.0) };
   const glm::dmat3 rows = glm::transpose(glm::inverse(MeshKernels::JacobianAt(cell, at)));
-  const auto consider = [&](double inCell, const glm::dvec3& inward)
+  const auto consider = [&](double inCell, const glm::dvec3& inward, const glm::dvec3& middle)
   {
     const double length = glm::length(inward), along = glm::dot(inward, direction);
     const double rise = mayLeave ? std::abs(along) : along;
-    const double ago = (std::abs(inCell) + rounding) / rise;
-    if (std::isfinite(length) && rise > 0.0 && ago < last)
+    if (std::isfinite(length) && rise > 0.0)
     {
-      last = ago;
-      entry = { std::abs(inCell) / length, (along < 0.0 ? inward : -inward) / length };
+      visit(EntryFace{ std::abs(inCell) / length, (along < 0.0 ? inward : -inward) / length,
+        (std::abs(inCell) + rounding) / rise, middle, -inward / (length * length) });
     }
   };
   const bool isTetrahedron = cell.Shape == MeshCellShape::Tetrahedron;
   for (int axis = 0; axis < 3; ++axis)
   {
-    consider(at[axis], rows[axis]);
+    glm::dvec3 middle(isTetrahedron ? 1.0 / 3.0 : 0.5);
+    middle[axis] = 0.0;
+    consider(at[axis], rows[axis], middle);
     if (!isTetrahedron)
     {
-      consider(1.0 - at[axis], -rows[axis]);
+      middle[axis] = 1.0;
+      consider(1.0 - at[axis], -rows[axis], middle);
     }
   }
   if (isTetrahedron)
   {
-    consider(1.0 - at.x - at.y - at.z, -(rows[0] + rows[1] + rows[2]));
+    consider(1.0 - at.x - at.y - at.z, -(rows[0] + rows[1] + rows[2]), glm::dvec3(1.0 / 3.0));
   }
-  return entry;
+}
+
+/// The last face that the ray came through.
+EntryFace FindEntryFace(
+  const MeshCell& cell, const glm::dvec3& at, const glm::dvec3& direction, bool mayLeave = false)
+{
+  EntryFace last;
+  VisitEntryFaces(cell, at, direction, mayLeave,
+    [&](const EntryFace& face) { last = face.Ago < last.Ago ? face : last; });
+  return last;
+}
+
+/// True if no other cell with values lies behind a face, where a place in the cell is near to it.
+bool IsOnBoundary(const MeshTree& tree, CellNumber number, const MeshCell& cell,
+  const glm::dvec3& at, const EntryFace& face)
+{
+  // A little away from the face's edges, where other cells are behind them. Then out of the cell.
+  constexpr double inwards = 0.01, outwards = 1e-5;
+  const glm::dvec3 behind =
+    MeshKernels::PointAt(cell, glm::mix(at, face.Middle, inwards)) + outwards * face.Outward;
+  bool isFound = false;
+  VisitCellsAt(tree, behind,
+    [&](CellNumber other, const MeshCell& found)
+    {
+      isFound = isFound ||
+        (other != number && AreNumbers(found) && MayHold(found, behind) &&
+          MeshKernels::FindPoint(found, behind, OnFace).IsIn);
+    });
+  return !isFound;
+}
+
+/// The last face that the ray came through where the mesh ends. On an edge, and where a plane clips
+/// the mesh, the ray may seem to come through a face to another cell.
+EntryFace FindOuterFace(const MeshTree& tree, const CapPoint& cap, const MeshCell& cell,
+  const glm::dvec3& at, double nearest)
+{
+  constexpr double along = 1e-9; // of the length of the direction: the ray runs along the face
+  EntryFace outer;
+  VisitEntryFaces(cell, at, cap.Direction, false,
+    [&](const EntryFace& face)
+    {
+      const double rise = -glm::dot(face.Normal, cap.Direction);
+      if (face.Distance / tree.Scale() < nearest && face.Ago < outer.Ago &&
+        rise > along * glm::length(cap.Direction) && IsOnBoundary(tree, cap.Cell, cell, at, face))
+      {
+        outer = face;
+      }
+    });
+  return outer;
 }
 
 /// A folded cell may have several places for a point. That on a face counts. Where the cell bulges
@@ -177,12 +234,27 @@ glm::dvec3 MeshFaceNormal(const MeshTree& tree, const CapPoint& cap, double& nea
   tree.Reader().Read(cap.Cell, cell);
   const glm::dvec3 point = tree.ToMesh(cap.At);
   const MeshKernels::PointInCell place = MeshKernels::FindPoint(cell, point, beside);
-  EntryFace face = FindEntryFace(cell, place.At, cap.Direction);
+  std::size_t near = 0;
+  EntryFace face;
+  VisitEntryFaces(cell, place.At, cap.Direction, false,
+    [&](const EntryFace& other)
+    {
+      near += other.Distance / tree.Scale() < nearest;
+      face = other.Ago < face.Ago ? other : face;
+    });
   const bool isAtFace = place.IsIn && face.Distance < OnFace * tree.Scale();
-  if (!isAtFace && cell.Shape == MeshCellShape::Hexahedron && MeshKernels::MayFold(cell))
+  const bool mayBeFolded =
+    !isAtFace && cell.Shape == MeshCellShape::Hexahedron && MeshKernels::MayFold(cell);
+  if (mayBeFolded)
   {
     const EntryFace other = FindFoldedFace(cell, point, cap.Direction);
     face = !place.IsIn || other.Distance < face.Distance ? other : face;
+  }
+  else if (near > 1 || (near > 0 && cap.IsOnPlane))
+  {
+    // To ask this of each cap would take as long as to trace it.
+    const EntryFace outer = FindOuterFace(tree, cap, cell, place.At, nearest);
+    face = std::isfinite(outer.Ago) || cap.IsOnPlane ? outer : face;
   }
   const double distance = face.Distance / tree.Scale();
   if (!(distance < nearest))

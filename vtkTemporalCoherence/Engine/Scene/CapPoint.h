@@ -16,6 +16,7 @@ struct CapPoint
   glm::dvec3 At;
   glm::dvec3 Direction;     ///< of the ray
   CellNumber Cell = NoCell; ///< of a mesh, that the ray enters or begins in
+  bool IsOnPlane = false;   ///< that clips the field, or the near plane, within its accuracy
 };
 
 }

@@ -22,24 +22,32 @@ CapPlanes::CapPlanes(
   }
 }
 
-glm::dvec3 CapNormal(const CapPoint& cap, const Field& field, const CapPlanes& planes)
+glm::dvec3 CapNormal(CapPoint cap, const Field& field, const CapPlanes& planes)
 {
   double nearest = 1e-3; // cells: what remains of a depth in single precision
-  glm::dvec3 found = field.Kind->FaceNormal(field, cap, nearest);
-  const auto distanceTo = [&](const glm::dvec4& plane)
-  { return std::abs(glm::dot(glm::dvec3(plane), cap.At) + plane.w); };
+  glm::dvec3 found(0.0);
+  const auto isNearer = [&](const glm::dvec4& plane)
+  {
+    const double distance = std::abs(glm::dot(glm::dvec3(plane), cap.At) + plane.w);
+    const bool isNear = distance < nearest;
+    nearest = isNear ? distance : nearest;
+    cap.IsOnPlane |= isNear;
+    return isNear;
+  };
   for (const glm::dvec4& plane : planes.OfRegion)
   {
     const glm::dvec3 normal(plane);
-    const double distance = distanceTo(plane);
-    if (distance < nearest)
+    if (isNearer(plane))
     {
-      nearest = distance;
       found = glm::dot(normal, cap.Direction) > 0.0 ? -normal : normal;
     }
   }
-  const bool hasNear = planes.Near != glm::dvec4(0.0);
-  return hasNear && distanceTo(planes.Near) < nearest ? glm::dvec3(0.0) : found;
+  if (planes.Near != glm::dvec4(0.0) && isNearer(planes.Near))
+  {
+    found = glm::dvec3(0.0);
+  }
+  const glm::dvec3 ofFace = field.Kind->FaceNormal(field, cap, nearest);
+  return ofFace != glm::dvec3(0.0) ? ofFace : found;
 }
 
 }

@@ -28,7 +28,7 @@ struct CapPlanes
 /// the ray comes from, or of a plane that clips the field. The nearest counts.
 /// \return of unit length, facing against the ray; the zero vector at the near plane, and if the
 /// point is on none of them
-glm::dvec3 CapNormal(const CapPoint& cap, const Field& field, const CapPlanes& planes);
+glm::dvec3 CapNormal(CapPoint cap, const Field& field, const CapPlanes& planes);
 
 }
 

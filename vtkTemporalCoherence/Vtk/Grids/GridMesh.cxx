@@ -25,8 +25,8 @@ namespace
 
 DivisionError ErrorOf(const Subdivision& division)
 {
-  return { division.ErrorOfPoints, division.ErrorOfValues, division.Limit == DivisionLimit::Memory,
-    division.Overlapping, division.Overlaps };
+  return { division.ErrorOfPoints, division.ErrorOfValues, division.Limit, division.Overlapping,
+    division.Overlaps };
 }
 
 /// Shares out what memory there is for cells that are divided.

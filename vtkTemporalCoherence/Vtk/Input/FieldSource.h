@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_FieldSource_h
 #define TemporalCoherence_FieldSource_h
 
+#include "Input/DivisionError.h"
 #include "Input/FieldFromImage.h"
 #include "Input/SampleMask.h"
 #include "Input/ScalarChoice.h"
@@ -52,28 +53,6 @@ enum class SetUpWork
   NewValues, ///< only values are new: the tree over the cells was kept
   Refitted,  ///< points are new: the boxes of the tree were made again
   Built      ///< cells are new: the tree was built
-};
-
-/// Bounds of what linear cells made of curved ones differ by, and polyhedra that overlap others.
-struct DivisionError
-{
-  double OfPoints = 0.0; ///< in parts of the diagonal of the curved cell
-  double OfValues = 0.0; ///< in parts of the range of values in it, or of 1 % of that in the grid;
-                         ///< NaN where it is not known
-  bool IsByMemory = false; ///< cells were divided less than they could be, as memory is limited
-  std::int64_t Overlapping = 0; ///< concave polyhedra that were not divided without leaving them
-  std::string Overlaps;         ///< names one of them
-
-  /// Take the larger of each.
-  void Add(const DivisionError& other)
-  {
-    const auto largest = [](double a, double b) { return a >= b || a != a ? a : b; };
-    this->OfPoints = largest(this->OfPoints, other.OfPoints);
-    this->OfValues = largest(this->OfValues, other.OfValues);
-    this->IsByMemory = this->IsByMemory || other.IsByMemory;
-    this->Overlapping += other.Overlapping;
-    this->Overlaps = this->Overlaps.empty() ? other.Overlaps : this->Overlaps;
-  }
 };
 
 /// How a field was set up.

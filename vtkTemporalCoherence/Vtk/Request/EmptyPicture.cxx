@@ -59,6 +59,12 @@ std::string EmptyPicture::FindReason(
   return "";
 }
 
+bool EmptyPicture::IsTold(const vtkVolume* volume) const
+{
+  return std::any_of(this->Stories.begin(), this->Stories.end(),
+    [volume](const Story& story) { return story.Of.GetPointer() == volume; });
+}
+
 std::string EmptyPicture::Check(
   const DrawnVolume& drawn, const Field& shown, const ValueRangePyramid& ranges)
 {

@@ -28,6 +28,9 @@ public:
   /// \return what is wrong and what to do about it; empty if there is no warning
   std::string Check(const DrawnVolume& drawn, const Field& shown, const ValueRangePyramid& ranges);
 
+  /// True if the volume's user was warned, and the reason is still there.
+  bool IsTold(const vtkVolume* volume) const;
+
 private:
   std::string FindReason(vtkDataObject* data, const Field& shown, const ValueRangePyramid& ranges);
   bool AreAllHidden(const Field& shown);

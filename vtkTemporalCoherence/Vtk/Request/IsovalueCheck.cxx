@@ -127,6 +127,23 @@ bool AreMet(const std::vector<double>& isovalues, SurfaceMode mode, const glm::d
     [&](double isovalue) { return IsMet(isovalue, mode, range); });
 }
 
+/// Why isovalues separate no samples, and what to do: the end of a message.
+void Explain(const ValueRangePyramid& ranges, std::ostringstream& what)
+{
+  const glm::dvec2 &finite = ranges.FiniteRange(), &all = ranges.WholeRange();
+  if (all.x == all.y)
+  {
+    what << "all of them are " << all.x
+         << ", so there is no isosurface; see whether this is the array that you want, which the "
+            "mapper's SelectScalarArray chooses.";
+    return;
+  }
+  const glm::dvec2& range = finite.x < finite.y ? finite : all;
+  what << "they range from " << range.x << " to " << range.y
+       << ", so there is no isosurface; set an isovalue above " << range.x << " and up to "
+       << range.y << " with GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property.";
+}
+
 }
 
 bool MaySeePartOnly(const DrawnVolume& drawn)
@@ -214,8 +231,8 @@ std::string IsovalueCheck::CheckTransparent(const DrawnVolume& drawn, const Fram
 std::string IsovalueCheck::Check(const DrawnVolume& drawn, const std::vector<double>& isovalues,
   SurfaceMode mode, const ValueRangePyramid& ranges)
 {
-  const glm::dvec2 finite = ranges.FiniteRange(), all = ranges.WholeRange();
-  if (!(finite.x < finite.y))
+  const glm::dvec2& all = ranges.WholeRange();
+  if (all.x > all.y) // no sample is a number: EmptyPicture tells
   {
     return "";
   }
@@ -249,10 +266,8 @@ std::string IsovalueCheck::Check(const DrawnVolume& drawn, const std::vector<dou
     what << "None of the " << isovalues.size() << " isovalues (" << *least << " to " << *largest
          << ") separates any samples";
   }
-  what << ": they range from " << finite.x << " to " << finite.y
-       << ", so there is no isosurface; set an isovalue above " << finite.x << " and up to "
-       << finite.y
-       << " with GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property.";
+  what << ": ";
+  Explain(ranges, what);
   return what.str();
 }
 

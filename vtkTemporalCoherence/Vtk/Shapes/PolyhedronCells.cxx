@@ -25,6 +25,11 @@ glm::dvec3 PlaceOf(const PointValue& point)
   return { point[0], point[1], point[2] };
 }
 
+bool HasValue(const PointValue& point)
+{
+  return !std::isnan(point[3]);
+}
+
 /// The mean of the distances of points from a plane is at least the largest one divided by their
 /// number, if they lie on one side. Faces may be warped.
 constexpr double SeenWell = 0.25;
@@ -208,6 +213,11 @@ bool PolyhedronCells::HasConcaveFace(const std::vector<Face>& faces)
 /// Cones from the mean of the points, if it sees the surface well, else from other points.
 void PolyhedronCells::AddCones(const Surface& surface, vtkIdType cell)
 {
+  // A cell without a value at a point is hidden as a whole.
+  if (!std::all_of(surface.Points.begin(), surface.Points.end(), HasValue))
+  {
+    return;
+  }
   ConeDivision division;
   if (!IsSeenFromMean(surface.Places, surface.Corners.size(), surface.Parts, SeenWell) &&
     !this->Divide(surface, division))
@@ -353,21 +363,23 @@ void PolyhedronCells::AddConvexSet(vtkIdType cell)
   std::sort(unique.begin(), unique.end());
   unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
   std::vector<glm::dvec3> places;
+  bool haveValues = true;
   const auto isNowhere = [&](vtkIdType point)
   {
-    glm::dvec3 at;
-    this->Grid->GetPoint(point, &at.x);
+    const PointValue read = this->Reader.Read(point);
+    const glm::dvec3 at = PlaceOf(read);
     const bool isFinite = std::isfinite(at.x + at.y + at.z);
     if (isFinite)
     {
       places.push_back(at);
+      haveValues &= HasValue(read);
     }
     return !isFinite;
   };
   // The other points are a convex set, too.
   unique.erase(std::remove_if(unique.begin(), unique.end(), isNowhere), unique.end());
   std::vector<glm::dvec3> scaled;
-  if (unique.size() < 4 || !ScaleToUnit(places, scaled))
+  if (unique.size() < 4 || !haveValues || !ScaleToUnit(places, scaled))
   {
     return;
   }

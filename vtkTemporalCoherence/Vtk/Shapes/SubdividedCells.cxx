@@ -102,8 +102,9 @@ public:
     told.Parts = this->Of.LargestParts();
     told.ErrorOfPoints = error.OfPoints;
     told.ErrorOfValues = error.OfValues;
-    told.Limit = this->Limit == DivisionLimit::Goal && told.Parts == MostParts
-      ? DivisionLimit::Cells
+    const double largest = std::max(error.OfPoints, error.OfValues);
+    told.Limit = this->Limit == DivisionLimit::Goal && largest > SubdivisionGoal
+      ? DivisionLimit::Parts
       : this->Limit;
   }
 

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_SubdividedCells_h
 #define TemporalCoherence_SubdividedCells_h
 
+#include "Input/DivisionError.h"
 #include "Mesh/Mesh.h"
 #include "Shapes/CurvedDivision.h"
 #include "Shapes/GivenCells.h"
@@ -20,14 +21,6 @@ VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {
-
-/// What kept curved cells from being divided further.
-enum class DivisionLimit
-{
-  Goal,   ///< SubdivisionGoal: nothing
-  Cells,  ///< the most cells or parts that there may be
-  Memory, ///< MakingBudget
-};
 
 /// What linear cells made of others differ by.
 struct Subdivision

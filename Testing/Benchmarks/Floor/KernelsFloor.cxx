@@ -202,8 +202,8 @@ HWY_INLINE void Draw(const Picture& picture, const Tile& tile)
   const DI di;
   const T* const before = static_cast<const T*>(picture.Samples) - 1;
   const V zero = hn::Zero(d), one = Set(1.0f);
-  HWY_ALIGN float depths[TilePixels];
-  HWY_ALIGN std::int32_t colors[TilePixels];
+  HWY_ALIGN float depths[TilePixels] = {};
+  HWY_ALIGN std::int32_t colors[TilePixels] = {};
   for (std::size_t i = 0; i < TilePixels && tile.Hits != 0; i += hn::Lanes(d))
   {
     const I pixel = hn::Iota(di, static_cast<int>(i));

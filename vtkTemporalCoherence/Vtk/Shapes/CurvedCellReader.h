@@ -12,7 +12,6 @@
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 
@@ -24,6 +23,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -131,32 +131,37 @@ private:
   std::vector<double> Rational, Row;
 };
 
-/// Call `visit(reader, i)` for each i below a number, in parallel, with the reader of a thread.
+/// Call `visit(reader, i)` for each i below a number, in parallel, with a reader that no other
+/// thread has meanwhile.
 /// \return false if progress stopped it
 /// \throws std::bad_alloc
 template <typename Visit>
 bool ForEachWithReader(std::size_t count, const ReportProgress& progress, const Visit& visit)
 {
   constexpr std::size_t numbersBetweenReports = 4096;
-  struct Workplace
-  {
-    std::unique_ptr<CurvedCellReader> Reader;
-    Workplace() = default;
-    Workplace(const Workplace&) {} // each thread has its own
-    Workplace& operator=(const Workplace&) { return *this; }
-  };
-  vtkSMPThreadLocal<Workplace> workplaces;
+  std::mutex guard;
+  std::vector<std::unique_ptr<CurvedCellReader>> idle;
   std::atomic<bool> hasMemory(true);
   const auto work = [&](vtkIdType begin, vtkIdType end)
   {
     try
     {
-      std::unique_ptr<CurvedCellReader>& reader = workplaces.Local().Reader;
+      std::unique_ptr<CurvedCellReader> reader;
+      {
+        const std::lock_guard<std::mutex> lock(guard);
+        if (!idle.empty())
+        {
+          reader = std::move(idle.back());
+          idle.pop_back();
+        }
+      }
       reader = reader ? std::move(reader) : std::make_unique<CurvedCellReader>();
       for (vtkIdType i = begin; i < end && hasMemory; ++i)
       {
         visit(*reader, static_cast<std::size_t>(i));
       }
+      const std::lock_guard<std::mutex> lock(guard);
+      idle.push_back(std::move(reader));
     }
     catch (const std::bad_alloc&)
     {

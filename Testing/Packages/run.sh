@@ -80,7 +80,7 @@ copy_what_is_tested()
   done
   mkdir -p "$used/test/Testing"
   cp -r "$repository/Examples" "$used/test"
-  cp -r "$repository/Testing/Packages" "$repository/Testing/Python" "$used/test/Testing"
+  cp -r "$repository"/Testing/{Packages,Python,Files} "$used/test/Testing"
 }
 
 begin=$SECONDS

@@ -75,7 +75,7 @@ prepare_used_system "$fresh"
 install -D -m 644 -t "$used/test/wheel" "$wheel"
 mkdir -p "$used/test/Testing"
 cp -r "$repository/Examples" "$used/test"
-cp -r "$repository/Testing/Wheel" "$repository/Testing/Packages" "$repository/Testing/Python" "$used/test/Testing"
+cp -r "$repository"/Testing/{Wheel,Packages,Python,Files} "$used/test/Testing"
 
 in_system "$used" bash /test/Testing/Wheel/inside.sh ||
   fail "the wheel on Debian $suite, after $((SECONDS - begin)) s; logs are in $used/test/logs"

@@ -135,6 +135,36 @@ TEST_F(BlendLook, GradientOpacity)
   }
 }
 
+/// Where colours jump or turn and opacity does not, it counts which of them a step emits first.
+TEST_F(BlendLook, ColorsThatJump)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  for (const double width : { 1e-9, 0.02 })
+  {
+    for (const double opacity : { 0.05, 0.3, 0.7 })
+    {
+      const glm::dvec4 red{ 1.0, 0.0, 0.0, opacity }, cyan{ 0.0, 1.0, 1.0, opacity };
+      for (const bool isShell : { false, true })
+      {
+        const double outside = isShell ? 0.0 : 1.0;
+        const glm::dvec4 keep{ 1.0, 1.0, 1.0, outside };
+        this->Take({ { 0.0, keep * red }, { 0.45, keep * red }, { 0.45 + 1e-9, red }, { 0.5, red },
+                     { 0.5 + width, cyan }, { 0.56, cyan }, { 0.56 + 1e-9, keep * cyan },
+                     { 1.0, keep * cyan } },
+          16385);
+        for (const bool isShaded : { false, true })
+        {
+          this->Of().Material.Shade = isShaded;
+          SCOPED_TRACE(testing::Message()
+            << "opacity " << opacity << ", width " << width << (isShell ? ", a shell" : "")
+            << (isShaded ? ", lit" : ""));
+          ExpectBlendTruth(this->Key, 5);
+        }
+      }
+    }
+  }
+}
+
 /// A function that bends to one side in every cell of a long path: what each cell misses adds up.
 TEST_F(BlendLook, ThinFogInLongNoise)
 {

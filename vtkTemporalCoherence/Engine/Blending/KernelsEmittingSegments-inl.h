@@ -93,7 +93,7 @@ struct RayVectors
   V Direction[4], Begin[4]; ///< by axis; the last ones mean nothing
 };
 
-/// The largest change of extinction from bin to bin between values.
+/// The largest change of emission from bin to bin between values.
 /// \param span how far they are from the middle
 HWY_INLINE V SteepnessOf(const TransferTables& tables, V middle, V span)
 {
@@ -172,9 +172,14 @@ struct EmittingSegments
       visit(this->AtEnd.Value[i]);
       visit(this->AtEnd.Sum[i]);
     }
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      visit(this->AtBegin.Order[i]);
+      visit(this->AtEnd.Order[i]);
+    }
     this->Light.EachColumn(visit);
   }
-  static constexpr std::size_t Columns = 10 + 4 + 4 * 8 + LightLine<Colors>::Columns;
+  static constexpr std::size_t Columns = 10 + 4 + 4 * 8 + 3 * 2 + LightLine<Colors>::Columns;
 
   /// The square of the number of first steps.
   /// \param shown the share of the light of a segment that comes to the viewer

@@ -162,7 +162,8 @@ public:
     const V centre =
       CentreOf(step.ValueAtBegin, step.AtBegin, step.ValueAtEnd, step.AtEnd, depth, spread);
     const V at = hn::Add(step.Begin, hn::Mul(centre, share));
-    PullColors(step.AtBegin, step.AtEnd, depth, mean);
+    PullColors(this->Volume.Tables, step.ValueAtBegin, step.AtBegin, step.ValueAtEnd, step.AtEnd,
+      depth, mean);
     const ReflectedLight<V, Colors> light = lightAt(at, hn::Mul(share, spread));
     const V left = hn::Mul(added.Passed, ExpOfMinus(depth));
     const V perMean = hn::Div(hn::Sub(added.Passed, left), hn::Max(mean[0], hn::Set(d, 1e-30f)));

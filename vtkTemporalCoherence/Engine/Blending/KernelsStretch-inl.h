@@ -71,6 +71,7 @@ struct EmissionAt
   {
     std::fill_n(this->Value, 4, hn::Zero(Floats()));
     std::fill_n(this->Sum, 4, hn::Zero(Floats()));
+    std::fill_n(this->Order, 3, hn::Zero(Floats()));
     this->Moment = this->Boost = this->Walls = hn::Zero(Floats());
   }
 
@@ -82,15 +83,39 @@ struct EmissionAt
       this->Value[i] = hn::IfThenElse(which, other.Value[i], this->Value[i]);
       this->Sum[i] = hn::IfThenElse(which, other.Sum[i], this->Sum[i]);
     }
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      this->Order[i] = hn::IfThenElse(which, other.Order[i], this->Order[i]);
+    }
     this->Moment = hn::IfThenElse(which, other.Moment, this->Moment);
     this->Boost = hn::IfThenElse(which, other.Boost, this->Boost);
     this->Walls = hn::IfThenElse(which, other.Walls, this->Walls);
   }
 
-  V Value[4], Sum[4], Moment;
-  V Boost; ///< what stays at the value emits Value times this
-  V Walls; ///< EmissionBin::Walls
+  V Value[4], Sum[4], Moment, Order[3]; ///< as of EmissionBin
+  V Boost;                              ///< what stays at the value emits Value times this
+  V Walls;                              ///< OpaqueBin::Walls
 };
+
+/// What is opaque at once at a value.
+/// \param isNode true where the value is the beginning of its bin
+HWY_INLINE void LookUpOpaque(const TransferTables& tables, V bin, M isNode, EmissionAt& at)
+{
+  const Floats d;
+  const Integers di;
+  std::int32_t bins[WidestVector];
+  float boosts[WidestVector], walls[WidestVector];
+  hn::StoreU(hn::ConvertTo(di, bin), di, bins);
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+  {
+    const OpaqueBin& opaque = tables.Opaque[static_cast<std::size_t>(bins[lane])];
+    boosts[lane] = opaque.Boost;
+    walls[lane] = opaque.Walls;
+  }
+  const V boost = hn::LoadU(d, boosts);
+  at.Boost = hn::IfThenElse(isNode, boost, hn::Set(d, 1.0f));
+  at.Walls = hn::LoadU(d, walls);
+}
 
 HWY_INLINE void LookUp(const TransferTables& tables, V value, EmissionAt& at)
 {
@@ -112,24 +137,35 @@ HWY_INLINE void LookUp(const TransferTables& tables, V value, EmissionAt& at)
   LoadRows(from + row, places, rise);
   LoadRows(from + 2 * row, places, at.Sum);
   LoadRows(from + 3 * row, places, more);
-  // The moment of what lies between the node and the value, about half way.
-  const V middle = hn::Add(bin, hn::Mul(half, hn::Add(share, beyond)));
-  const V between = hn::Mul(hn::Add(share, beyond), middle);
-  at.Boost = hn::IfThenElse(hn::Eq(share, zero), more[1], one);
-  at.Walls = more[2];
+  // The moments of what lies between the node and the value, about half way.
+  const V past = hn::Add(share, beyond);
+  const V middle = hn::Add(bin, hn::Mul(half, past));
+  at.Boost = one;
+  at.Walls = zero;
+  if (tables.AreOpaqueAnywhere)
+  {
+    LookUpOpaque(tables, bin, hn::Eq(share, zero), at);
+  }
   // All that lies beyond the range looks as its end does. Less than this may be rounding.
   const V far = hn::Set(d, tables.Beyond);
   const V boost = hn::IfThenElse(hn::Gt(hn::Abs(beyond), far), at.Boost, one);
+  V passed = zero;
   for (std::size_t i = 0; i < 4; ++i)
   {
     const V mean = hn::Add(at.Value[i], hn::Mul(hn::Mul(half, share), rise[i]));
     const V here = hn::Mul(boost, hn::Add(at.Value[i], hn::Mul(share, rise[i])));
-    at.Value[i] = here;
-    at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, here)));
+    const V emitted = hn::Mul(past, mean);
     if (i == 0)
     {
-      at.Moment = hn::Add(more[0], hn::Mul(between, mean));
+      at.Moment = hn::Add(more[0], hn::Mul(middle, emitted));
+      passed = hn::Add(at.Sum[0], hn::Mul(half, emitted));
     }
+    else
+    {
+      at.Order[i - 1] = hn::Add(more[i], hn::Mul(passed, emitted));
+    }
+    at.Value[i] = here;
+    at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, here)));
   }
 }
 
@@ -200,25 +236,38 @@ HWY_INLINE V CentreOf(V a, const EmissionAt& atA, V b, const EmissionAt& atB, V 
   return hn::Min(hn::Max(hn::Sub(share, pulled), hn::Zero(d)), one);
 }
 
-/// Of what is emitted in a step, more is seen of its beginning than of its end. Where both emit,
-/// colours change evenly in between.
-HWY_INLINE void PullColors(const EmissionAt& begin, const EmissionAt& end, V depth, V mean[4])
+/// Of what is emitted in a step, more is seen of its beginning than of its end: take the covariance
+/// of colours with the optical depth before them from their mean. It is exact for a small depth if
+/// the values are far enough apart. Else colours change evenly in between, where both ends emit.
+HWY_INLINE void PullColors(const TransferTables& tables, V a, const EmissionAt& atA, V b,
+  const EmissionAt& atB, V depth, V mean[4])
 {
   const Floats d;
-  const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
-  const V larger = hn::Max(begin.Value[0], end.Value[0]);
-  const V smaller = hn::Min(begin.Value[0], end.Value[0]);
-  // A wall in between has its own colour.
-  const M isPulled =
-    hn::And(hn::Eq(begin.Walls, end.Walls), hn::Gt(smaller, hn::Mul(hn::Set(d, 1e-3f), larger)));
-  const V perBegin = hn::Div(one, hn::Max(begin.Value[0], least));
-  const V perEnd = hn::Div(one, hn::Max(end.Value[0], least));
-  const V pull = hn::IfThenElseZero(isPulled,
-    hn::Mul(hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f)), mean[0]));
+  const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), least = hn::Set(d, 1e-20f);
+  const V larger = hn::Max(atA.Value[0], atB.Value[0]);
+  const V smaller = hn::Min(atA.Value[0], atB.Value[0]);
+  const V sum = hn::Sub(atB.Sum[0], atA.Sum[0]);
+  // A wall in between has its own colour, and sums do not count all of what is opaque at once.
+  const M isThin =
+    hn::And(hn::Eq(atA.Walls, atB.Walls), hn::Le(larger, hn::Set(d, tables.MostCounted)));
+  const M isFar = hn::And(isThin,
+    hn::And(hn::Ge(hn::Abs(hn::Sub(b, a)), hn::Set(d, 4.0f)),
+      hn::Gt(hn::Abs(sum), hn::Max(hn::Set(d, tables.LeastOrdered), least))));
+  const M isEven = hn::AndNot(isFar,
+    hn::And(hn::Eq(atA.Walls, atB.Walls), hn::Gt(smaller, hn::Mul(hn::Set(d, 1e-3f), larger))));
+  const V perSum = hn::Div(one, hn::IfThenElse(isFar, sum, one));
+  const V perA = hn::Div(hn::Set(d, 1.0f / 12.0f), hn::Max(atA.Value[0], least));
+  const V perB = hn::Div(hn::Set(d, 1.0f / 12.0f), hn::Max(atB.Value[0], least));
+  const V pull = hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), mean[0]);
   for (std::size_t i = 1; i < 4; ++i)
   {
-    const V rise = hn::Sub(hn::Mul(end.Value[i], perEnd), hn::Mul(begin.Value[i], perBegin));
-    mean[i] = hn::Max(hn::Sub(mean[i], hn::Mul(pull, rise)), hn::Zero(d));
+    const V emitted = hn::Sub(atB.Sum[i], atA.Sum[i]);
+    const V order =
+      hn::Sub(hn::Sub(atB.Order[i - 1], atA.Order[i - 1]), hn::Mul(atA.Sum[0], emitted));
+    const V far = hn::Mul(perSum, hn::Sub(hn::Mul(perSum, order), hn::Mul(half, emitted)));
+    const V even = hn::Sub(hn::Mul(atB.Value[i], perB), hn::Mul(atA.Value[i], perA));
+    const V covariance = hn::IfThenElse(isFar, far, hn::IfThenElseZero(isEven, even));
+    mean[i] = hn::Max(hn::Sub(mean[i], hn::Mul(pull, covariance)), hn::Zero(d));
   }
 }
 

@@ -25,6 +25,9 @@ constexpr double ShareOfOpaque = 1.0 / 256.0;
 /// errors.
 constexpr double WantedDigits = 1e-3, Rounding = 6e-8;
 
+/// The order of colours has two digits where extinction sums up to this share of all.
+constexpr double ShareOfOrdered = 1e-3;
+
 /// Rounding of values in bins, in shares of the range, and of the numbers that they are made of.
 constexpr double RoundingOfRange = 1e-6, RoundingOfLow = 3e-7;
 
@@ -113,6 +116,11 @@ std::vector<float> SteepnessOf(const std::vector<EmissionBin>& bins, float opaqu
   {
     float& most = own[bin >> TransferTables::BlockBits];
     most = std::max(most, std::min(std::abs(bins[bin].Rise[0]), opaque));
+    for (std::size_t color = 1; color < 4; ++color)
+    {
+      const float before = bin > 0 ? bins[bin - 1].Rise[color] : 0.0f;
+      most = std::max(most, std::min(std::abs(bins[bin].Rise[color] - before), opaque));
+    }
   }
   for (int level = 0; level < TransferTables::Levels; ++level)
   {
@@ -128,6 +136,16 @@ std::vector<float> SteepnessOf(const std::vector<EmissionBin>& bins, float opaqu
     }
   }
   return steepness;
+}
+
+/// The integral over a bin of each channel times what extinction has summed up to there.
+/// \param sum     of extinction before the bin
+/// \param counted the share of the bin that sums count
+glm::dvec4 OrderIn(double sum, double counted, const glm::dvec4& value, const glm::dvec4& rise)
+{
+  const glm::dvec4 own =
+    value * (value.x / 2.0 + rise.x / 6.0) + rise * (value.x / 3.0 + rise.x / 8.0);
+  return counted * (sum * (value + 0.5 * rise) + counted * own);
 }
 
 }
@@ -156,7 +174,7 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
   const double most = mostExtinction * look.UnitDistance;
   const std::vector<DepthOfBin> depths = DepthsOf(at, most);
   const std::vector<double> counted = SharesCounted(depths, most);
-  glm::dvec4 sum(0.0);
+  glm::dvec4 sum(0.0), order(0.0);
   double moment = 0.0;
   int walls = 0;
   for (int bin = 0; bin <= this->Bins; ++bin)
@@ -177,16 +195,20 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
       made.Sum[place] = static_cast<float>(sum[i]);
     }
     made.Moment = static_cast<float>(moment);
+    made.Order = { static_cast<float>(order.y), static_cast<float>(order.z),
+      static_cast<float>(order.w) };
     walls += bin > 0 && IsOpaque(depths[here - 1], most) && !IsOpaque(depths[here], most) ? 1 : 0;
-    made.Walls = static_cast<float>(walls);
     const bool isPeak = node.w >= 1.0 && value.x > 0.0;
     this->AreOpaqueAnywhere |= isPeak || IsOpaque(depths[here], most);
-    made.Boost = isPeak ? static_cast<float>(mostExtinction / value.x) : 1.0f;
+    this->Opaque.push_back(
+      { isPeak ? static_cast<float>(mostExtinction / value.x) : 1.0f, static_cast<float>(walls) });
+    order += OrderIn(sum.x, counted[here], value, rise);
     sum += counted[here] * (value + 0.5 * rise);
     moment += counted[here] * ((bin + 0.5) * value.x + (0.5 * bin + 1.0 / 3.0) * rise.x);
     this->All.push_back(made);
   }
   this->Closest = static_cast<float>(std::clamp(sum.x * Rounding / WantedDigits, 0.25, 4.0));
+  this->LeastOrdered = static_cast<float>(ShareOfOrdered * sum.x);
   this->Steepness = SteepnessOf(this->All, this->MostCounted);
   this->FindBends();
 }

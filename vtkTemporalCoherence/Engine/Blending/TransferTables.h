@@ -22,9 +22,16 @@ struct alignas(64) EmissionBin
   Emission Value; ///< where the bin begins, per world distance
   Emission Rise;  ///< from there to its end
   Emission Sum;   ///< the integral from the beginning of the range to the bin, in bins
-  float Moment;   ///< the same of extinction times value in bins
-  float Boost;    ///< what stays where the bin begins, at a peak, emits Value times this
-  float Walls;    ///< how many ranges that are opaque at once lie before the bin
+  float Moment;   ///< that integral of extinction times value in bins
+  /// That of red, green and blue times Sum[0]: it tells which colours are emitted first.
+  std::array<float, 3> Order;
+};
+
+/// What is opaque at once in a bin of values.
+struct OpaqueBin
+{
+  float Boost; ///< what stays where the bin begins, at a peak, emits Value times this
+  float Walls; ///< how many ranges that are opaque at once lie before the bin
 };
 
 /// A transfer function integrated over values, so that a stretch of a ray on which the field is
@@ -68,19 +75,21 @@ struct TransferTables
   /// True if something is opaque at once in a bin, or where it begins.
   bool IsOpaqueIn(std::size_t bin) const
   {
-    return this->All[bin].Boost != 1.0f || this->All[bin].Value[0] > this->MostCounted;
+    return this->Opaque[bin].Boost != 1.0f || this->All[bin].Value[0] > this->MostCounted;
   }
 
   double Low, PerValue;
-  int Bins;                     ///< within the range
-  std::vector<EmissionBin> All; ///< and one for what lies above the range
+  int Bins;                      ///< within the range
+  std::vector<EmissionBin> All;  ///< and one for what lies above the range
+  std::vector<OpaqueBin> Opaque; ///< of the same bins
   float Beyond; ///< values that are farther than this from the range are beyond it, in bins
   /// Where values differ less, in bins, the difference of their sums has too few digits.
   float Closest;
+  float LeastOrdered;             ///< where values differ less in Sum[0], Order has too few digits
   float MostExtinction;           ///< that stands for an opacity of 1
   bool AreOpaqueAnywhere = false; ///< at some value, at once
   float MostCounted; ///< extinction above this is opaque at once, and Sum does not count all of it
-  /// The largest change of extinction from bin to bin, for blocks of bins and as many blocks on
+  /// The largest change of emission from bin to bin, for blocks of bins and as many blocks on
   /// each side as the level tells, 1, 2, 4 and so on: [level * blocks + block].
   static constexpr int BlockBits = 6, Levels = 6;
   std::vector<float> Steepness;

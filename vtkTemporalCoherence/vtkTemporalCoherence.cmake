@@ -225,6 +225,7 @@ set(bridge_files
   Request/AppearanceFromVolume
   Request/BlendingFromVolume
   Request/DirectColors
+  Request/DrawnVolume
   Request/EmptyInput
   Request/EmptyPicture
   Request/FieldFromMapper

@@ -4,8 +4,11 @@
 #define TemporalCoherence_EmptyPicture_h
 
 #include "Acceleration/HiddenCells.h"
-#include "Request/IsovalueCheck.h"
+#include "Acceleration/ValueRangePyramid.h"
+#include "Request/DrawnVolume.h"
+#include "Scene/Field.h"
 
+#include <vtkDataObject.h>
 #include <vtkVolume.h>
 #include <vtkWeakPointer.h>
 

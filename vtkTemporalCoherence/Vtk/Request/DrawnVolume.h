@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_DrawnVolume_h
+#define TemporalCoherence_DrawnVolume_h
+
+#include "vtkTemporalCoherenceCompatibility.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeMapper;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// A mapper, and the volume and renderer that it draws for.
+struct DrawnVolume
+{
+  vtkVolumeMapper* Mapper;
+  vtkVolume* Volume;
+  vtkRenderer* Renderer;
+};
+
+/// True if settings may be meant for more data than the mapper has: if its input is a piece of a
+/// pipeline's data or one block of several, or if several volumes share the property. Reads ghost
+/// arrays, which takes a while.
+bool MaySeePartOnly(const DrawnVolume& drawn);
+
+}
+
+#endif

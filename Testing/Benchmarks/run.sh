@@ -10,7 +10,7 @@ usage()
   cat <<'TEXT'
 Build vtkTemporalCoherence and measure it: all scenarios of the program Benchmark (its --help tells
 them) with plots of some, single kernels, one thread beside two, and another build beside this one:
-what Documentation/Performance.md and Figures.md tell. Pictures and the paper's figures are made by
+what Documentation/Performance.md tells. Pictures and the paper's figures are made by
 Documentation/gallery.sh, which calls this with --only.
 
 usage: Testing/Benchmarks/run.sh [--only PART,...] [--against BUILD] [--quick] [--output FOLDER]

@@ -88,12 +88,12 @@ dependencies_of() # FILES
     grep -vE '^(paraview|python3-paraview|paraview-dev)( |$)' | sort -u | paste -sd,
 }
 
-# The CMake files of ParaView and of the VTK in it name Python modules without the tag that later
-# packages of Debian give them: vtkX.so is there as vtkX.cpython-314-x86_64-linux-gnu.so.
+# ParaView's CMake files name its Python modules without the tag that later packages of Debian give
+# them: modules/vtkX.so is there as modules/vtkX.cpython-314-x86_64-linux-gnu.so.
 link_python_modules()
 {
-  local module modules=$prefix/usr/lib/python3/dist-packages
-  for module in "$modules"/paraview/*/*.cpython-*.so "$modules"/vtkmodules/*.cpython-*.so; do
+  local module
+  for module in "$prefix"/usr/lib/python3/dist-packages/paraview/*/*.cpython-*.so; do
     [ ! -e "$module" ] || ln -sf "${module##*/}" "${module%.cpython-*}.so"
   done
 }

@@ -297,6 +297,10 @@ vtk_module_include(VTK::TemporalCoherence
     "${module_directory}/Vtk")
 vtk_module_compile_features(VTK::TemporalCoherence PUBLIC cxx_std_17)
 vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:glm::glm> $<BUILD_INTERFACE:hwy::hwy>)
+# Only classes of VTK are for users of the library, whatever a build exports by default.
+vtk_module_set_properties(VTK::TemporalCoherence
+  CXX_VISIBILITY_PRESET hidden
+  VISIBILITY_INLINES_HIDDEN ON)
 
 # One answer for every compiler: a product and a sum are rounded twice, never fused, as values on the
 # faces between cells must be the same bits from both sides.

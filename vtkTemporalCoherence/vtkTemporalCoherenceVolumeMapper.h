@@ -275,17 +275,16 @@ public:
   /** The ways to make a frame. */
   enum Routes
   {
-    ROUTE_COLD,           ///< every ray is traced without help from an earlier frame
-    ROUTE_REDISPLAY,      ///< nothing changed: the last picture is shown again
-    ROUTE_RESHADE,        ///< only colours, lights or shading changed: known hits are shaded again
-    ROUTE_ISOMAP_LOOKUP,  ///< a new isovalue is looked up in the isomap of the view
-    ROUTE_ISOMAP_BUILD,   ///< the same, where some tiles are built or traced
-    ROUTE_THRESHOLD_HINT, ///< not made any more, since a cold frame is faster
-    ROUTE_IMAGE_CACHE,    ///< the view changed: rays start from what a cached image shows
-    ROUTE_TIME_STEP,      ///< samples changed: pixels that no changed sample affects are copied
-    ROUTE_RECOMPOSITE,    ///< only opacities changed: known layers are composited again
-    ROUTE_KEEP_LAYERS,    ///< not made any more, since a cold frame is as fast
-    ROUTE_KEEP_VALUES     ///< colours of a projection changed: what rays have met is known
+    ROUTE_COLD,            ///< every ray is traced without help from an earlier frame
+    ROUTE_REDISPLAY,       ///< nothing changed: the last picture is shown again
+    ROUTE_RESHADE,         ///< only colours, lights or shading changed: known hits are shaded again
+    ROUTE_ISOMAP_LOOKUP,   ///< a new isovalue is looked up in the isomap of the view
+    ROUTE_ISOMAP_BUILD,    ///< the same, where some tiles are built or traced
+    ROUTE_IMAGE_CACHE = 6, ///< the view changed: rays start from what a cached image shows
+    ROUTE_TIME_STEP,       ///< samples changed: pixels that no changed sample affects are copied
+    ROUTE_RECOMPOSITE,     ///< only opacities changed: known layers are composited again
+    ROUTE_KEEP_LAYERS,     ///< not made any more, since a cold frame is as fast
+    ROUTE_KEEP_VALUES      ///< colours of a projection changed: what rays have met is known
   };
 
   //@{

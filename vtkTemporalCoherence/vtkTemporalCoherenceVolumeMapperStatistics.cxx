@@ -12,6 +12,8 @@ int vtkTemporalCoherenceVolumeMapper::GetRoute()
 {
   using TemporalCoherence::Route;
   static_assert(static_cast<int>(Route::Cold) == ROUTE_COLD &&
+      static_cast<int>(Route::IsomapBuild) == ROUTE_ISOMAP_BUILD &&
+      static_cast<int>(Route::Recomposite) == ROUTE_RECOMPOSITE &&
       static_cast<int>(Route::KeepValues) == ROUTE_KEEP_VALUES,
     "Routes tells the same as Route");
   return static_cast<int>(this->Internal->Frames.Statistics().Made);

@@ -123,7 +123,7 @@ public:
 
   /**
    * How many frames took each route, since this was made: Cold, Redisplay, Reshade, IsomapLookup,
-   * IsomapBuild, ThresholdHint (none any more), ImageCache, TimeStep, Recomposite, KeepLayers
+   * IsomapBuild, a number without a route, ImageCache, TimeStep, Recomposite, KeepLayers
    * (none any more), KeepValues.
    * Frames that failed are not counted.
    */

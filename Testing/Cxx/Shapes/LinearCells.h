@@ -3,7 +3,7 @@
 #ifndef Testing_LinearCells_h
 #define Testing_LinearCells_h
 
-#include "Mesh/MeshCell.h"
+#include "Volumes/ReadCell.h"
 
 #include <glm/glm.hpp>
 

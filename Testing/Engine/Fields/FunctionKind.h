@@ -3,10 +3,10 @@
 #ifndef Testing_FunctionKind_h
 #define Testing_FunctionKind_h
 
+#include "BlockWalk.h"
 #include "Scene/CellBox.h"
 #include "Scene/Field.h"
 #include "Shade/SurfaceNormal.h"
-#include "Trace/BlockWalk.h"
 #include "Trace/HitRules.h"
 #include "Trace/SurfaceTracer.h"
 

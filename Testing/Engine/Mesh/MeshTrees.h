@@ -5,6 +5,7 @@
 
 #include "Trees/MeshTree.h"
 #include "Volumes/Meshes.h"
+#include "Volumes/ReadCell.h"
 
 #include <gtest/gtest.h>
 

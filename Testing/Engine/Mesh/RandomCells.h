@@ -7,7 +7,10 @@
 
 #include <glm/glm.hpp>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <random>
 
 /// How the rays of a tile go: all from one point, or all the same way.
@@ -211,6 +214,9 @@ private:
 /// 64 cells, and a ray for each.
 struct CellPairs
 {
+  using Crossings = TemporalCoherence::MeshKernels::Crossings;
+  using CellSpans = TemporalCoherence::MeshKernels::CellSpans;
+
   std::array<TemporalCoherence::MeshCell, 64> Cells;
   std::array<double, 64> Scales;
   std::array<std::array<double, 8>, 64> Differences;
@@ -235,6 +241,28 @@ struct CellPairs
       this->Rays.End[i] = 1e40;
     }
     this->Rays.Prepare();
+  }
+
+  /// Find the crossings of each ray with its cell.
+  void FindCrossings(Crossings& found) const
+  {
+    found.Count = 0;
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      CellCrossings(this->Cells[i], this->Differences[i], this->Rays, std::uint64_t(1) << i, found);
+    }
+  }
+
+  /// Find the parts of each ray in its cell.
+  void FindSpans(CellSpans& spans) const
+  {
+    CellSpans ofRay;
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      FindCellSpans(this->Cells[i], this->Differences[i], this->Rays, std::uint64_t(1) << i, ofRay);
+      spans.Count[i] = ofRay.Count[i];
+      std::copy_n(ofRay.Spans[i].begin(), ofRay.Count[i], spans.Spans[i].begin());
+    }
   }
 };
 

@@ -131,7 +131,7 @@ TEST_F(Hexahedra, AgreeWithBruteForce)
   {
     const auto pairs = std::make_unique<CellPairs>(random, false);
     const auto found = std::make_unique<Crossings>();
-    HexahedronCrossingsOfPairs(pairs->Cells.data(), pairs->Differences.data(), pairs->Rays, *found);
+    pairs->FindCrossings(*found);
     const std::vector<Crossing> list = ListOf(*found);
     auto next = list.begin();
     for (std::size_t i = 0; i < 64; ++i)
@@ -186,9 +186,8 @@ std::unique_ptr<MeshRays> TileAround(RandomCells& random, const MeshCell& cell)
   return rays;
 }
 
-/// Tiles, pairs, and all kinds of vectors find the same bits.
-template <typename OneCell, typename Pairs>
-void ExpectSameBits(bool areTetrahedra, const OneCell& findInCell, const Pairs& findInPairs,
+/// Tiles, single rays, and all kinds of vectors find the same bits.
+void ExpectSameBits(bool areTetrahedra,
   const std::function<void(const std::function<void(const char*)>&)>& forEachTarget)
 {
   RandomCells random(21);
@@ -198,23 +197,21 @@ void ExpectSameBits(bool areTetrahedra, const OneCell& findInCell, const Pairs& 
     const MeshCell cell = areTetrahedra ? random.Tetrahedron() : random.Hexahedron();
     const auto rays = TileAround(random, cell);
     const std::uint64_t which = ~std::uint64_t(0) >> random.Below(2) * 20;
-    const std::vector<MeshCell> cells(rays->Count, cell);
-    const std::vector<CellDifferences> differences(rays->Count, cell.Values);
     std::vector<Crossing> expected;
     forEachTarget(
       [&](const char* target)
       {
-        const auto inCell = std::make_unique<Crossings>(), inPairs = std::make_unique<Crossings>();
+        const auto together = std::make_unique<Crossings>();
+        const auto alone = std::make_unique<Crossings>();
         const std::uint64_t there =
           rays->Count == 64 ? which : which & ((std::uint64_t(1) << rays->Count) - 1);
-        findInCell(cell, cell.Values, *rays, there, *inCell);
-        findInPairs(cells.data(), differences.data(), *rays, *inPairs);
-        const std::vector<Crossing> list = ListOf(*inCell);
-        std::vector<Crossing> others = ListOf(*inPairs);
-        others.erase(std::remove_if(others.begin(), others.end(),
-                       [&](const Crossing& crossing) { return (there >> crossing.Ray & 1u) == 0; }),
-          others.end());
-        EXPECT_TRUE(AreSame(list, others)) << target << ", round " << round;
+        CellCrossings(cell, cell.Values, *rays, there, *together);
+        for (std::uint64_t left = there; left != 0; left &= left - 1)
+        {
+          CellCrossings(cell, cell.Values, *rays, left & ~(left - 1), *alone);
+        }
+        const std::vector<Crossing> list = ListOf(*together);
+        EXPECT_TRUE(AreSame(list, ListOf(*alone))) << target << ", round " << round;
         EXPECT_TRUE(expected.empty() || AreSame(list, expected)) << target << ", round " << round;
         expected = list;
         number += list.size();
@@ -223,19 +220,17 @@ void ExpectSameBits(bool areTetrahedra, const OneCell& findInCell, const Pairs& 
   EXPECT_GT(number, 1000u);
 }
 
-TEST_F(Hexahedra, AreTheSameBitsForTilesPairsAndVectors)
+TEST_F(Hexahedra, AreTheSameBitsForTilesRaysAndVectors)
 {
-  ExpectSameBits(false, CellCrossings, HexahedronCrossingsOfPairs,
-    [&](const auto& check) { this->ForEachTarget(check); });
+  ExpectSameBits(false, [&](const auto& check) { this->ForEachTarget(check); });
 }
 
-TEST_F(Hexahedra, TetrahedraAreTheSameBitsForTilesPairsAndVectors)
+TEST_F(Hexahedra, TetrahedraAreTheSameBitsForTilesRaysAndVectors)
 {
-  ExpectSameBits(true, CellCrossings, TetrahedronCrossingsOfPairs,
-    [&](const auto& check) { this->ForEachTarget(check); });
+  ExpectSameBits(true, [&](const auto& check) { this->ForEachTarget(check); });
 }
 
-TEST_F(Hexahedra, SpansAreTheSameBitsForTilesPairsAndVectors)
+TEST_F(Hexahedra, SpansAreTheSameBitsForTilesRaysAndVectors)
 {
   RandomCells random(22);
   std::size_t number = 0;
@@ -243,28 +238,31 @@ TEST_F(Hexahedra, SpansAreTheSameBitsForTilesPairsAndVectors)
   {
     const MeshCell cell = random.Hexahedron();
     const auto rays = TileAround(random, cell);
-    const std::vector<MeshCell> cells(rays->Count, cell);
-    const std::vector<CellDifferences> differences(rays->Count, cell.Values);
+    const std::uint64_t all = ~std::uint64_t(0) >> (64 - rays->Count);
     const auto expected = std::make_unique<CellSpans>();
-    HexahedronSpans(cell, cell.Values, *rays, ~std::uint64_t(0) >> (64 - rays->Count), *expected);
+    HexahedronSpans(cell, cell.Values, *rays, all, *expected);
+    const auto spans = std::make_unique<CellSpans>();
+    const auto expectSame = [&](std::size_t ray, const char* target)
+    {
+      const std::size_t count = expected->Count[ray];
+      ASSERT_EQ(spans->Count[ray], count) << target;
+      EXPECT_TRUE(!std::memcmp(
+        spans->Spans[ray].data(), expected->Spans[ray].data(), count * sizeof(CellSpan)))
+        << target;
+      number += count;
+    };
     this->ForEachTarget(
       [&](const char* target)
       {
-        for (const bool arePairs : { false, true })
+        HexahedronSpans(cell, cell.Values, *rays, all, *spans);
+        for (std::size_t ray = 0; ray < rays->Count; ++ray)
         {
-          const auto spans = std::make_unique<CellSpans>();
-          arePairs ? HexahedronSpansOfPairs(cells.data(), differences.data(), *rays, *spans)
-                   : HexahedronSpans(
-                       cell, cell.Values, *rays, ~std::uint64_t(0) >> (64 - rays->Count), *spans);
-          for (std::size_t ray = 0; ray < rays->Count; ++ray)
-          {
-            const std::size_t count = expected->Count[ray];
-            ASSERT_EQ(spans->Count[ray], count) << target;
-            EXPECT_TRUE(!std::memcmp(
-              spans->Spans[ray].data(), expected->Spans[ray].data(), count * sizeof(CellSpan)))
-              << target;
-            number += count;
-          }
+          expectSame(ray, target);
+        }
+        for (std::size_t ray = 0; ray < rays->Count; ++ray)
+        {
+          HexahedronSpans(cell, cell.Values, *rays, std::uint64_t(1) << ray, *spans);
+          expectSame(ray, target);
         }
       });
   }
@@ -282,8 +280,8 @@ TEST_F(Hexahedra, SpansEndOnTheSidesThatCrossingsTell)
     const auto pairs = std::make_unique<CellPairs>(random, false);
     const auto found = std::make_unique<Crossings>();
     const auto spans = std::make_unique<CellSpans>();
-    HexahedronCrossingsOfPairs(pairs->Cells.data(), pairs->Differences.data(), pairs->Rays, *found);
-    HexahedronSpansOfPairs(pairs->Cells.data(), pairs->Differences.data(), pairs->Rays, *spans);
+    pairs->FindCrossings(*found);
+    pairs->FindSpans(*spans);
     std::array<int, 64> crossings{};
     for (std::size_t i = 0; i < found->Count; ++i)
     {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/MeshCell.h"
 #include "Volumes/Meshes.h"
+#include "Volumes/ReadCell.h"
 
 #include <gtest/gtest.h>
 

@@ -35,10 +35,8 @@ TEST(Tetrahedra, AgreeWithBruteForce)
   for (int batch = 0; batch < batches; ++batch)
   {
     const auto pairs = std::make_unique<CellPairs>(random, true);
-    found->Count = 0;
-    TetrahedronCrossingsOfPairs(
-      pairs->Cells.data(), pairs->Differences.data(), pairs->Rays, *found);
-    TetrahedronSpansOfPairs(pairs->Cells.data(), pairs->Differences.data(), pairs->Rays, *spans);
+    pairs->FindCrossings(*found);
+    pairs->FindSpans(*spans);
     std::array<int, 64> count{}, which{};
     for (std::size_t i = 0; i < found->Count; ++i)
     {

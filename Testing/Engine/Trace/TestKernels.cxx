@@ -4,12 +4,16 @@
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 #include "Trace/CellRoot.h"
+#include "Trace/CellSegment.h"
 #include "Trace/KernelsCrossing.h"
 #include "Trace/KernelsRange.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace
@@ -47,6 +51,44 @@ SegmentBatch<Real> RandomSegments(int count, std::mt19937& engine)
     }
   }
   return segments;
+}
+
+/// What FindCrossings finds, segment by segment.
+template <typename Real>
+void FindCrossingsOneByOne(SegmentBatch<Real>& in, bool isSolid)
+{
+  for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
+  {
+    const CellSegment<Real> segment(in, i);
+    const Cubic<Real> cubic = CubicAlong(segment.Values, segment.Path);
+    in.Enter[i] = segment.Enter;
+    in.AtEntry[i] = cubic[0];
+    Real share = Real(0);
+    const bool begins = isSolid && IsInside(cubic[0]);
+    const bool isFound = begins || FirstCrossing(cubic, share);
+    in.Distance[i] = isFound ? segment.DistanceAt(static_cast<double>(share))
+                             : std::numeric_limits<double>::infinity();
+  }
+}
+
+/// What FindRanges finds, segment by segment.
+template <typename Real>
+void FindRangesOneByOne(SegmentBatch<Real>& in, RangeBatch<Real>& out)
+{
+  for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
+  {
+    const CellSegment<Real> segment(in, i);
+    const Cubic<Real> cubic = CubicAlong(segment.Values, segment.Path);
+    in.Enter[i] = segment.Enter;
+    out.Leave[i] = segment.Leave;
+    const std::array<Real, 2> range = RangeOf(cubic);
+    out.Lowest[i] = range[0];
+    out.Highest[i] = range[1];
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      out.Cubic[c][i] = cubic[c];
+    }
+  }
 }
 
 class KernelsCrossing : public EachTarget

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_FoldedSpans_h
 #define TemporalCoherence_FoldedSpans_h
 
+#include "Mesh/CornerPoints.h"
 #include "Mesh/HexahedronRoots.h"
-#include "Mesh/TurnedPairs.h"
 
 #include <algorithm>
 #include <array>
@@ -64,10 +64,8 @@ inline SeenHexahedron SeeFrom(const MeshCell& cell, const MeshRays& rays, std::s
 }
 
 /// Find the spans of rays between these hits: those in whose middle the ray is in the cell.
-/// \param cellOf gives the cell of a ray
-template <typename CellOf>
-void FindFoldedSpans(
-  HexahedronHits& hits, const MeshRays& rays, const CellOf& cellOf, CellSpans& spans)
+inline void FindFoldedSpans(
+  const MeshCell& cell, HexahedronHits& hits, const MeshRays& rays, CellSpans& spans)
 {
   for (std::size_t ray = 0; ray < MeshRays::Capacity; ++ray)
   {
@@ -89,7 +87,7 @@ void FindFoldedSpans(
         continue;
       }
       HexahedronRoots roots;
-      FindRoots(SeeFrom(cellOf(ray), rays, ray, 0.5 * (of[last].T + of[next].T)), roots);
+      FindRoots(SeeFrom(cell, rays, ray, 0.5 * (of[last].T + of[next].T)), roots);
       const bool isIn = roots.Count > 0;
       if (isIn && !goesOn && found < CellSpans::Most)
       {

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_HexahedronFaces_h
 #define TemporalCoherence_HexahedronFaces_h
 
-#include "Mesh/TurnedPairs.h"
+#include "Mesh/CornerPoints.h"
 
 #include <array>
 #include <cstddef>

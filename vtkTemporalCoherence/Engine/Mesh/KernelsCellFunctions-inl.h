@@ -13,8 +13,6 @@
 #include "Mesh/HexahedronFunctions.h"
 #include "Mesh/KernelsSheared-inl.h"
 
-#include <algorithm>
-
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -27,13 +25,12 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The functions of one cell, the same for all rays, which have the same axis.
+/// The functions of a cell along the axes of rays that have the same axis.
 template <class D>
-struct SameFunctions
+struct TurnedFunctions
 {
-  using V = hn::Vec<D>;
-  HWY_INLINE SameFunctions(const HexahedronFunctions& cell, std::size_t axis)
-    : First(cell)
+  HWY_INLINE TurnedFunctions(const HexahedronFunctions& cell, std::size_t axis)
+    : Cell(cell)
   {
     const auto axes = TurnedAxes(axis);
     for (std::size_t a = 0; a < 3; ++a)
@@ -41,64 +38,20 @@ struct SameFunctions
       this->Axes[a] = static_cast<std::size_t>(axes[a]);
     }
   }
-  /// \param number in First
-  HWY_INLINE V Of(const double& number, Places<D>) const { return hn::Set(D(), number); }
+
   /// Number k of a turned axis.
-  /// \param numbers in First, of all axes
+  /// \param numbers of the cell, of all axes
   template <std::size_t Number>
-  HWY_INLINE V OfAxis(const std::array<std::array<double, Number>, 3>& numbers, std::size_t a,
-    std::size_t k, Places<D>) const
+  HWY_INLINE hn::Vec<D> OfAxis(
+    const std::array<std::array<double, Number>, 3>& numbers, std::size_t a, std::size_t k) const
   {
     return hn::Set(D(), numbers[this->Axes[a]][k]);
   }
 
-  const HexahedronFunctions& First;
+  const HexahedronFunctions& Cell;
 
 private:
   std::size_t Axes[3];
-};
-
-/// Those of another cell for each ray.
-template <class D>
-struct OwnFunctions
-{
-  using V = hn::Vec<D>;
-  HWY_INLINE OwnFunctions(const HexahedronFunctions* cells, const MeshRays& rays)
-    : First(cells[0])
-  {
-    static_assert(sizeof(*cells) % sizeof(double) == 0);
-    for (std::size_t ray = 0; ray < MeshRays::Capacity; ++ray)
-    {
-      const auto axes = TurnedAxes(rays.AxisOf(std::min(ray, rays.Count - 1)));
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        this->Axes[a][ray] = axes[a];
-      }
-      this->Start[ray] = static_cast<std::int64_t>(ray * (sizeof(*cells) / sizeof(double)));
-    }
-  }
-  HWY_INLINE V Of(const double& number, Places<D> ray) const
-  {
-    return hn::GatherIndex(D(), &number, hn::GatherIndex(DI(), this->Start.data(), ray));
-  }
-  template <std::size_t Number>
-  HWY_INLINE V OfAxis(const std::array<std::array<double, Number>, 3>& numbers, std::size_t a,
-    std::size_t k, Places<D> ray) const
-  {
-    const auto axis = hn::GatherIndex(DI(), this->Axes[a].data(), ray);
-    auto at = hn::GatherIndex(DI(), this->Start.data(), ray);
-    for (std::size_t i = 0; i < Number; ++i)
-    {
-      at = hn::Add(at, axis);
-    }
-    return hn::GatherIndex(D(), &numbers[0][k], at);
-  }
-
-  const HexahedronFunctions& First;
-
-private:
-  using DI = hn::RebindToSigned<D>;
-  TileArray<std::int64_t> Axes[3], Start; ///< of rays
 };
 
 }

@@ -12,11 +12,10 @@
 
 /// All that is decided about a ray and a cell, in vectors of rays.
 ///
-/// What is found depends on the ray and on the cell alone: not on the other rays, not on the kind
-/// of vectors, and not on whether one cell is searched or pairs of a cell and a ray. `differences`
-/// are a cell's values minus the isovalue, finite, in the order of MeshCell::Points. Inside is
-/// where they are not negative. Coordinates and differences may be as large as 1e90 and, where they
-/// are not 0, as small as 1e-90.
+/// What is found depends on the ray and on the cell alone: not on the other rays, and not on the
+/// kind of vectors. `differences` are a cell's values minus the isovalue, finite, in the order of
+/// MeshCell::Points. Inside is where they are not negative. Coordinates and differences may be as
+/// large as 1e90 and, where they are not 0, as small as 1e-90.
 namespace TemporalCoherence
 {
 namespace MeshKernels
@@ -90,16 +89,7 @@ void TetrahedronCrossings(
 void HexahedronCrossings(const HexahedronFunctions& functions, const MeshCell& cell,
   const CellDifferences& differences, const MeshRays& rays, std::uint64_t which, Crossings& found);
 
-/// The same for pairs: ray k with cell k.
-/// \param cells, differences one for each ray
-void TetrahedronCrossingsOfPairs(const MeshCell* cells, const CellDifferences* differences,
-  const MeshRays& rays, Crossings& found);
-void HexahedronCrossingsOfPairs(const MeshCell* cells, const CellDifferences* differences,
-  const MeshRays& rays, Crossings& found);
-
 /// Find the parts of rays in a cell. Cells that share a face have the same bits there.
-void TetrahedronSpans(
-  const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which, CellSpans& spans);
 void TetrahedronSpans(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, CellSpans& spans);
 void HexahedronSpans(const MeshCell& cell, const CellDifferences& differences, const MeshRays& rays,
@@ -109,12 +99,6 @@ void HexahedronSpans(const MeshCell& cell, const CellDifferences& differences, c
 /// \param limits of all rays, to the end of the last vector
 void TetrahedronSpansWithin(const TetrahedronPoints& points, const MeshRays& rays,
   std::uint64_t which, double low, double high, const TileArray<double>& limits, SpanList& found);
-
-/// The parts of rays in cells, for pairs: ray k with cell k.
-void TetrahedronSpansOfPairs(const MeshCell* cells, const CellDifferences* differences,
-  const MeshRays& rays, CellSpans& spans);
-void HexahedronSpansOfPairs(const MeshCell* cells, const CellDifferences* differences,
-  const MeshRays& rays, CellSpans& spans);
 
 /// For a cell of any shape: nothing is found in one without.
 inline void CellCrossings(const MeshCell& cell, const CellDifferences& differences,

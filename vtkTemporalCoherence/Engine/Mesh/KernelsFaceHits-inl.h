@@ -11,6 +11,7 @@
 #endif
 
 #include "Mesh/FoldedSpans.h"
+#include "Mesh/HexahedronFaces.h"
 #include "Mesh/KernelsSheared-inl.h"
 
 #include <limits>
@@ -257,19 +258,27 @@ struct SeenCorners
   V X[8], Y[8], T[8], Value[8];
 };
 
-/// \param see gives the faces, as see(face, gets it)
-template <class D, class See>
-HWY_INLINE void FindSpans(D d, const See& see, std::size_t i, std::uint64_t wanted,
-  CellSpans& spans, HexahedronHits& others)
+/// Find the parts of a vector of rays in a cell.
+/// \param i the first ray
+template <class D>
+HWY_INLINE void FindSpans(D d, const SeenCorners<D>& corners, const HexahedronFaces& faces,
+  std::size_t i, std::uint64_t wanted, CellSpans& spans, HexahedronHits& others)
 {
-  SeenFace<hn::Vec<D>> faces[6];
+  SeenFace<hn::Vec<D>> seen[6];
   FaceHits<D> hits;
   for (std::size_t face = 0; face < 6; ++face)
   {
-    see(face, faces[face]);
-    AddHits(d, faces[face], 2 * face, hits);
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      const std::size_t from = faces.Corners[face][corner];
+      seen[face].X[corner] = corners.X[from];
+      seen[face].Y[corner] = corners.Y[from];
+      seen[face].T[corner] = corners.T[from];
+      seen[face].Value[corner] = corners.Value[from];
+    }
+    AddHits(d, seen[face], 2 * face, hits);
   }
-  StoreSpans(d, hits, faces, i, wanted, spans, others);
+  StoreSpans(d, hits, seen, i, wanted, spans, others);
 }
 
 }

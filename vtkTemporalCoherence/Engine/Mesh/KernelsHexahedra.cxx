@@ -36,7 +36,7 @@ std::uint64_t HexahedronCrossingsOf(const HexahedronFunctions& cell, const MeshR
     {
       continue;
     }
-    const SameFunctions<D> functions(cell, axis);
+    const TurnedFunctions<D> functions(cell, axis);
     now.Count = next.Count = 0;
     RootWork work{ rays, &now, &next, several };
     LookIntoCell<D>(functions, along, work, found);
@@ -44,18 +44,6 @@ std::uint64_t HexahedronCrossingsOf(const HexahedronFunctions& cell, const MeshR
     alone |= work.Alone;
   }
   return alone;
-}
-
-std::uint64_t HexahedronPairCrossingsOf(const HexahedronFunctions* cells, const MeshRays& rays,
-  std::uint64_t which, FoundRoots& several, Crossings& found)
-{
-  using D = Doubles;
-  RootItems now, next;
-  const OwnFunctions<D> functions(cells, rays);
-  RootWork work{ rays, &now, &next, several };
-  LookIntoCell<D>(functions, which, work, found);
-  LookRoundByRound<D>(functions, work);
-  return work.Alone;
 }
 
 }
@@ -73,8 +61,7 @@ namespace
 {
 
 /// Search rays one by one, and append what was found in several boxes.
-template <typename CellOf, typename DifferencesOf>
-void AppendOthers(const CellOf& cellOf, const DifferencesOf& differencesOf, const MeshRays& rays,
+void AppendOthers(const MeshCell& cell, const CellDifferences& differences, const MeshRays& rays,
   std::uint64_t alone, FoundRoots& several, Crossings& found)
 {
   for (std::uint64_t left = alone | several.Rays; left != 0; left &= left - 1)
@@ -83,8 +70,8 @@ void AppendOthers(const CellOf& cellOf, const DifferencesOf& differencesOf, cons
     HexahedronRoots& roots = several.Begin(ray);
     if ((alone >> ray & 1u) != 0)
     {
-      SeenHexahedron seen = SeeFrom(cellOf(ray), rays, ray, 0.0);
-      seen.Difference = differencesOf(ray);
+      SeenHexahedron seen = SeeFrom(cell, rays, ray, 0.0);
+      seen.Difference = differences;
       FindRoots(seen, roots);
     }
     for (std::size_t root = 0; root < roots.Count; ++root)
@@ -97,11 +84,6 @@ void AppendOthers(const CellOf& cellOf, const DifferencesOf& differencesOf, cons
     }
   }
 }
-
-}
-
-namespace
-{
 
 /// Faces of a hexahedron whose corners all have the isovalue, one bit each: 2 axis + side.
 unsigned int FacesAtIsovalue(const CellDifferences& differences)
@@ -187,7 +169,6 @@ void DropTouches(const MeshCell& cell, const CellDifferences& differences, const
 }
 
 HWY_EXPORT(HexahedronCrossingsOf);
-HWY_EXPORT(HexahedronPairCrossingsOf);
 
 void HexahedronCrossings(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, Crossings& found)
@@ -205,31 +186,9 @@ void HexahedronCrossings(const HexahedronFunctions& functions, const MeshCell& c
     const std::size_t begin = found.Count;
     const std::uint64_t alone =
       HWY_DYNAMIC_DISPATCH(HexahedronCrossingsOf)(functions, rays, which, several, found);
-    AppendOthers([&](std::size_t) -> const MeshCell& { return cell; },
-      [&](std::size_t) { return differences; }, rays, alone, several, found);
+    AppendOthers(cell, differences, rays, alone, several, found);
     DropTouches(cell, differences, rays, begin, found);
   }
-}
-
-void HexahedronCrossingsOfPairs(
-  const MeshCell* cells, const CellDifferences* differences, const MeshRays& rays, Crossings& found)
-{
-  std::array<HexahedronFunctions, MeshRays::Capacity> functions;
-  std::uint64_t which = 0;
-  for (std::size_t i = 0; i < rays.Count; ++i)
-  {
-    functions[i] = HexahedronFunctions(cells[i], differences[i]);
-    which |= std::uint64_t(functions[i].IsPassed) << i;
-  }
-  for (std::size_t i = rays.Count; i > 0 && i < WholeVectors(rays.Count); ++i)
-  {
-    functions[i] = functions[i - 1];
-  }
-  FoundRoots several;
-  const std::uint64_t alone =
-    HWY_DYNAMIC_DISPATCH(HexahedronPairCrossingsOf)(functions.data(), rays, which, several, found);
-  AppendOthers([&](std::size_t ray) -> const MeshCell& { return cells[ray]; },
-    [&](std::size_t ray) { return differences[ray]; }, rays, alone, several, found);
 }
 
 }

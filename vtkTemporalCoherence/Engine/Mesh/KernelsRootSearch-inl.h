@@ -98,8 +98,7 @@ private:
 template <class D>
 struct CrossingVector
 {
-  template <class Functions, class Rays>
-  HWY_INLINE CrossingVector(const Functions& functions, const Rays& rays, Places<D> ray,
+  HWY_INLINE CrossingVector(const TurnedFunctions<D>& functions, const ShearedRays<D>& rays,
     const StraightSystem<D>& system, const OnlyRoots<D>& roots)
   {
     const D d;
@@ -107,13 +106,13 @@ struct CrossingVector
     hn::Vec<D> depths[8];
     for (std::size_t k = 0; k < 8; ++k)
     {
-      depths[k] = functions.OfAxis(functions.First.Coordinates, 2, k, ray);
+      depths[k] = functions.OfAxis(functions.Cell.Coordinates, 2, k);
     }
     depths[0] = hn::Sub(depths[0], rays.Turned[2]);
     hn::Store(hn::Add(hn::Mul(ValueAt(depths, roots.At), rays.PerDepth), zero), d, this->T);
     // What rises linearly along the ray does so in the cell, too, unless bends turn it over.
     const auto rises = hn::Gt(hn::Mul(system.PerDepth, rays.PerDepth), zero);
-    const auto isTurned = hn::Xor(roots.IsPositive, IsUnfolded<D>(functions, ray, roots.At));
+    const auto isTurned = hn::Xor(roots.IsPositive, IsUnfolded<D>(functions.Cell, roots.At));
     this->Rising = BitsOf(d, hn::Xor(rises, isTurned));
   }
 
@@ -171,8 +170,8 @@ HWY_INLINE void PushParts(
 /// Look into a part of each box.
 /// \param take called as take(crossings, bits of lanes that have one)
 /// \return bits of lanes that have to be looked into again
-template <class D, class Functions, class Rays, class Take>
-HWY_INLINE std::uint64_t LookInto(const Functions& functions, const Rays& rays, Places<D> ray,
+template <class D, class Take>
+HWY_INLINE std::uint64_t LookInto(const TurnedFunctions<D>& functions, const ShearedRays<D>& rays,
   const StraightSystem<D>& system, KnownPart<D>& part, std::uint64_t wanted, const Take& take)
 {
   const D d;
@@ -187,7 +186,7 @@ HWY_INLINE std::uint64_t LookInto(const Functions& functions, const Rays& rays, 
   const std::uint64_t met = only & BitsOf(d, roots.IsInCell);
   if (met != 0)
   {
-    take(CrossingVector<D>(functions, rays, ray, system, roots), roots, met);
+    take(CrossingVector<D>(functions, rays, system, roots), roots, met);
   }
   return wanted & ~(only & BitsOf(d, roots.IsFound));
 }
@@ -195,14 +194,14 @@ HWY_INLINE std::uint64_t LookInto(const Functions& functions, const Rays& rays, 
 /// Find the crossings of a vector of rays with a cell; what takes longer becomes boxes.
 /// \param places of the rays
 /// \param wanted bits of lanes
-template <class D, class Functions>
-HWY_INLINE void LookIntoCell(const Functions& functions, const std::int64_t* places,
+template <class D>
+HWY_INLINE void LookIntoCell(const TurnedFunctions<D>& functions, const std::int64_t* places,
   std::uint64_t wanted, RootWork& work, Crossings& found)
 {
   const D d;
   const auto ray = hn::LoadU(hn::RebindToSigned<D>(), places);
   const ShearedRays<D> rays(work.Rays, ray);
-  const StraightSystem<D> system(functions, rays, ray);
+  const StraightSystem<D> system(functions, rays);
   KnownPart<D> part(system);
   wanted &= ~BitsOf(d, part.IsOut);
   std::uint64_t alone = wanted & ~BitsOf(d, hn::Lt(system.Error, hn::Set(d, MostErrorOfSystem)));
@@ -215,7 +214,7 @@ HWY_INLINE void LookIntoCell(const Functions& functions, const std::int64_t* pla
   {
     return;
   }
-  const std::uint64_t left = LookInto(functions, rays, ray, system, part, wanted,
+  const std::uint64_t left = LookInto(functions, rays, system, part, wanted,
     [&](const auto& crossings, const auto&, std::uint64_t met) HWY_ATTR
     {
       for (; met != 0; met &= met - 1)
@@ -236,9 +235,9 @@ HWY_INLINE void LookIntoCell(const Functions& functions, const std::int64_t* pla
 }
 
 /// The same for all wanted rays.
-template <class D, class Functions>
+template <class D>
 HWY_INLINE void LookIntoCell(
-  const Functions& functions, std::uint64_t which, RootWork& work, Crossings& found)
+  const TurnedFunctions<D>& functions, std::uint64_t which, RootWork& work, Crossings& found)
 {
   ForEachFullVector(which,
     [&](const std::int64_t* places, std::uint64_t wanted) HWY_ATTR
@@ -246,19 +245,19 @@ HWY_INLINE void LookIntoCell(
 }
 
 /// Look into a vector of boxes.
-template <class D, class Functions>
-HWY_INLINE void Look(const Functions& functions, const RootBoxes<D>& boxes, RootWork& work)
+template <class D>
+HWY_INLINE void Look(const TurnedFunctions<D>& functions, const RootBoxes<D>& boxes, RootWork& work)
 {
   const ShearedRays<D> rays(work.Rays, boxes.Ray);
-  const StraightSystem<D> system(functions, rays, boxes.Ray);
+  const StraightSystem<D> system(functions, rays);
   KnownPart<D> part(boxes.Middle, boxes.Half);
-  part.CutToRay(functions, boxes.Ray, system);
+  part.CutToRay(functions.Cell, system);
   const std::uint64_t wanted = ((std::uint64_t(1) << boxes.Count) - 1) & ~BitsOf(D(), part.IsOut);
   if (wanted == 0)
   {
     return;
   }
-  const std::uint64_t left = LookInto(functions, rays, boxes.Ray, system, part, wanted,
+  const std::uint64_t left = LookInto(functions, rays, system, part, wanted,
     [&](const auto& crossings, const auto& roots, std::uint64_t met) HWY_ATTR
     {
       HWY_ALIGN double at[3][hn::MaxLanes(D())];
@@ -283,8 +282,8 @@ HWY_INLINE void Look(const Functions& functions, const RootBoxes<D>& boxes, Root
 }
 
 /// Look into ever smaller boxes, for all rays together.
-template <class D, class Functions>
-HWY_INLINE void LookRoundByRound(const Functions& functions, RootWork& work)
+template <class D>
+HWY_INLINE void LookRoundByRound(const TurnedFunctions<D>& functions, RootWork& work)
 {
   std::swap(work.Now, work.Next);
   for (int round = 0; round < MostRounds && work.Now->Count > 0; ++round)

@@ -69,9 +69,7 @@ struct KnownPart
   }
 
   /// Keep what is along the ray, without the surface. This helps where the ray is nearly along it.
-  template <class Functions>
-  HWY_INLINE void CutToRay(
-    const Functions& functions, Places<D> ray, const StraightSystem<D>& system)
+  HWY_INLINE void CutToRay(const HexahedronFunctions& cell, const StraightSystem<D>& system)
   {
     const D d;
     const V half = hn::Set(d, 0.5), largest = hn::Set(d, 1e300), smallest = hn::Set(d, -1e300);
@@ -87,7 +85,7 @@ struct KnownPart
     for (std::size_t i = 0; i < 3; ++i)
     {
       V bends[4], slopes[3];
-      BendsOfCell(functions, ray, i, bends);
+      BendsOfCell(cell, i, bends);
       SlopesOf(bends, middle, products, slopes);
       const V bend = BendAt(bends, products);
       V reach = Three(system.Error, hn::Set(d, Slack), hn::Mul(hn::Abs(bends[3]), sizes[3]));

@@ -10,7 +10,7 @@
 #define TemporalCoherence_KernelsSheared_inl_h
 #endif
 
-#include "Mesh/TurnedPairs.h"
+#include "Mesh/CornerPoints.h"
 
 #include <algorithm>
 
@@ -56,25 +56,6 @@ struct SamePoints
 
   const Cell& From;
   std::array<glm::length_t, 3> Axes;
-};
-
-/// The points of another cell in each lane.
-template <class D, std::size_t Number>
-struct OwnPoints
-{
-  using V = hn::Vec<D>;
-  HWY_INLINE V At(std::size_t corner, std::size_t a) const
-  {
-    return hn::LoadU(D(), &this->From.Points[corner][a][this->First]);
-  }
-  HWY_INLINE V Value(std::size_t corner) const
-  {
-    return hn::LoadU(D(), &this->From.Values[corner][this->First]);
-  }
-  HWY_INLINE V Handedness() const { return hn::LoadU(D(), &this->From.Handedness[this->First]); }
-
-  const TurnedPairs<Number>& From;
-  std::size_t First;
 };
 
 /// Places of rays.
@@ -175,20 +156,6 @@ HWY_INLINE void ForEachVector(
     ForEachVector(along,
       [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
       { work(d, points, ShearedRays<Doubles>(rays, i), i, wanted); });
-  }
-}
-
-/// The same for pairs.
-template <std::size_t Number, class Work>
-HWY_INLINE void ForEachVectorOfPairs(
-  const MeshRays& rays, const TurnedPairs<Number>& pairs, const Work& work)
-{
-  const Doubles d;
-  for (std::size_t i = 0; i < rays.Count; i += hn::Lanes(d))
-  {
-    const std::size_t left = std::min(hn::Lanes(d), rays.Count - i);
-    const OwnPoints<Doubles, Number> points{ pairs, i };
-    work(d, points, ShearedRays<Doubles>(rays, i), i, (std::uint64_t(1) << left) - 1);
   }
 }
 

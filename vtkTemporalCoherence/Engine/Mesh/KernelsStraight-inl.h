@@ -104,35 +104,33 @@ struct StraightSystem
 {
   using V = hn::Vec<D>;
 
-  /// \param ray the place of each ray, for functions of pairs
-  template <class Functions, class Rays>
-  HWY_INLINE StraightSystem(const Functions& functions, const Rays& rays, Places<D> ray)
+  HWY_INLINE StraightSystem(const TurnedFunctions<D>& functions, const ShearedRays<D>& rays)
   {
     const D d;
-    const HexahedronFunctions& cell = functions.First;
+    const HexahedronFunctions& cell = functions.Cell;
     V from[3];
     for (std::size_t a = 0; a < 3; ++a)
     {
-      from[a] = hn::Sub(functions.OfAxis(cell.Coordinates, a, 0, ray), rays.Turned[a]);
+      from[a] = hn::Sub(functions.OfAxis(cell.Coordinates, a, 0), rays.Turned[a]);
     }
     // Where the ray is as deep as the middle of the cell. There, numbers are small.
     const V x = hn::Sub(hn::Mul(rays.ShearX, from[2]), from[0]);
     const V y = hn::Sub(hn::Mul(rays.ShearY, from[2]), from[1]);
     const V far = Three(hn::Abs(rays.Turned[0]), hn::Abs(rays.Turned[1]), hn::Abs(rays.Turned[2]));
     const V error = hn::Set(d, ValueError);
-    const V rounded = hn::Mul(error, hn::Add(far, functions.Of(cell.Far, ray)));
-    const V lost = hn::Add(hn::Mul(rounded, functions.Of(cell.Straight.Reach, ray)),
-      functions.Of(cell.Straight.Lost, ray));
-    V value = functions.Of(cell.Difference[0], ray);
+    const V rounded = hn::Mul(error, hn::Add(far, hn::Set(d, cell.Far)));
+    const V lost =
+      hn::Add(hn::Mul(rounded, hn::Set(d, cell.Straight.Reach)), hn::Set(d, cell.Straight.Lost));
+    V value = hn::Set(d, cell.Difference[0]);
     this->PerDepth = hn::Zero(d);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const V perX = functions.OfAxis(cell.Straight.Inverse, 0, i, ray);
-      const V perY = functions.OfAxis(cell.Straight.Inverse, 1, i, ray);
+      const V perX = functions.OfAxis(cell.Straight.Inverse, 0, i);
+      const V perY = functions.OfAxis(cell.Straight.Inverse, 1, i);
       this->Origin[i] = hn::Add(hn::Mul(perX, x), hn::Mul(perY, y));
       this->Along[i] = Three(hn::Mul(perX, rays.ShearX), hn::Mul(perY, rays.ShearY),
-        functions.OfAxis(cell.Straight.Inverse, 2, i, ray));
-      const V slope = functions.Of(cell.Difference[std::size_t(1) << i], ray);
+        functions.OfAxis(cell.Straight.Inverse, 2, i));
+      const V slope = hn::Set(d, cell.Difference[std::size_t(1) << i]);
       value = hn::Add(value, hn::Mul(slope, this->Origin[i]));
       this->PerDepth = hn::Add(this->PerDepth, hn::Mul(slope, this->Along[i]));
     }
@@ -145,13 +143,13 @@ struct StraightSystem
       most = hn::Add(most, hn::Abs(perValue));
       for (std::size_t term = 0; term < BentTerms.size(); ++term)
       {
-        const V ofDifference = functions.Of(cell.Straight.DifferenceBends[term], ray);
+        const V ofDifference = hn::Set(d, cell.Straight.DifferenceBends[term]);
         this->Bends[i][term] =
-          hn::Add(functions.Of(cell.Straight.Bends[i][term], ray), hn::Mul(perValue, ofDifference));
+          hn::Add(hn::Set(d, cell.Straight.Bends[i][term]), hn::Mul(perValue, ofDifference));
       }
     }
-    const V ofDifference = hn::Add(hn::Mul(functions.Of(cell.Straight.Slope, ray), lost),
-      hn::Mul(hn::Add(error, error), functions.Of(cell.LargestDifference, ray)));
+    const V ofDifference = hn::Add(hn::Mul(hn::Set(d, cell.Straight.Slope), lost),
+      hn::Mul(hn::Add(error, error), hn::Set(d, cell.LargestDifference)));
     this->Error = hn::Add(lost, hn::Mul(most, ofDifference));
   }
 
@@ -179,26 +177,25 @@ struct StraightSystem
 };
 
 /// Bends of the cell itself, along one axis.
-template <class Functions, class V>
-HWY_INLINE void BendsOfCell(
-  const Functions& functions, Places<hn::DFromV<V>> ray, std::size_t i, V bends[4])
+template <class V>
+HWY_INLINE void BendsOfCell(const HexahedronFunctions& cell, std::size_t i, V bends[4])
 {
   for (std::size_t term = 0; term < BentTerms.size(); ++term)
   {
-    bends[term] = functions.Of(functions.First.Straight.Bends[i][term], ray);
+    bends[term] = hn::Set(hn::DFromV<V>(), cell.Straight.Bends[i][term]);
   }
 }
 
 /// Lanes in which a point of a cell is not turned over, compared with its middle.
-template <class D, class Functions, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> IsUnfolded(const Functions& functions, Places<D> ray, const V u[3])
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> IsUnfolded(const HexahedronFunctions& cell, const V u[3])
 {
   V products[4], rows[3][3], columns[3][3];
   ProductsOf(u, products);
   for (std::size_t i = 0; i < 3; ++i)
   {
     V bends[4];
-    BendsOfCell(functions, ray, i, bends);
+    BendsOfCell(cell, i, bends);
     SlopesOf(bends, u, products, rows[i]);
     rows[i][i] = hn::Add(rows[i][i], hn::Set(D(), 1.0));
   }

@@ -58,20 +58,6 @@ void SpansWithin(const TetrahedronPoints& points, const MeshRays& rays, std::uin
     });
 }
 
-void CrossingsOfPairs(const TurnedPairs<4>& pairs, const MeshRays& rays, Crossings& found)
-{
-  ForEachVectorOfPairs(rays, pairs,
-    [&](auto d, const auto& seen, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
-    { AppendCrossings(d, FindSpan(d, vector, seen), rays, i, wanted, found); });
-}
-
-void SpansOfPairs(const TurnedPairs<4>& pairs, const MeshRays& rays, CellSpans& spans)
-{
-  ForEachVectorOfPairs(rays, pairs,
-    [&](auto d, const auto& seen, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
-    { StoreSpans(d, FindSpan(d, vector, seen), i, wanted, spans); });
-}
-
 }
 }
 }
@@ -83,28 +69,9 @@ namespace TemporalCoherence
 namespace MeshKernels
 {
 
-namespace
-{
-
-TurnedPairs<4> TurnPairs(
-  const MeshCell* cells, const CellDifferences* differences, const MeshRays& rays)
-{
-  TurnedPairs<4> pairs;
-  for (std::size_t i = 0; i < rays.Count; ++i)
-  {
-    pairs.Set(i, TetrahedronPoints(cells[i], differences[i]), rays.AxisOf(i));
-  }
-  pairs.FillUp(rays.Count);
-  return pairs;
-}
-
-}
-
 HWY_EXPORT(CrossingsOf);
 HWY_EXPORT(SpansOf);
 HWY_EXPORT(SpansWithin);
-HWY_EXPORT(CrossingsOfPairs);
-HWY_EXPORT(SpansOfPairs);
 
 void TetrahedronCrossings(
   const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which, Crossings& found)
@@ -118,13 +85,6 @@ void TetrahedronCrossings(const MeshCell& cell, const CellDifferences& differenc
   TetrahedronCrossings(TetrahedronPoints(cell, differences), rays, which, found);
 }
 
-void TetrahedronSpans(
-  const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which, CellSpans& spans)
-{
-  spans.Count.fill(0);
-  HWY_DYNAMIC_DISPATCH(SpansOf)(points, rays, which, spans);
-}
-
 void TetrahedronSpansWithin(const TetrahedronPoints& points, const MeshRays& rays,
   std::uint64_t which, double low, double high, const TileArray<double>& limits, SpanList& found)
 {
@@ -135,20 +95,8 @@ void TetrahedronSpansWithin(const TetrahedronPoints& points, const MeshRays& ray
 void TetrahedronSpans(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, CellSpans& spans)
 {
-  TetrahedronSpans(TetrahedronPoints(cell, differences), rays, which, spans);
-}
-
-void TetrahedronCrossingsOfPairs(
-  const MeshCell* cells, const CellDifferences* differences, const MeshRays& rays, Crossings& found)
-{
-  HWY_DYNAMIC_DISPATCH(CrossingsOfPairs)(TurnPairs(cells, differences, rays), rays, found);
-}
-
-void TetrahedronSpansOfPairs(
-  const MeshCell* cells, const CellDifferences* differences, const MeshRays& rays, CellSpans& spans)
-{
   spans.Count.fill(0);
-  HWY_DYNAMIC_DISPATCH(SpansOfPairs)(TurnPairs(cells, differences, rays), rays, spans);
+  HWY_DYNAMIC_DISPATCH(SpansOf)(TetrahedronPoints(cell, differences), rays, which, spans);
 }
 
 }

@@ -258,17 +258,6 @@ HWY_INLINE void AppendCrossings(D d, const TetrahedronSpan<D>& span, const MeshR
   }
 }
 
-/// The same for rays from the first one on.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void AppendCrossings(D d, const TetrahedronSpan<D>& span, const MeshRays& rays,
-  std::size_t first, std::uint64_t wanted, Crossings& found)
-{
-  const hn::RebindToSigned<D> di;
-  HWY_ALIGN std::int64_t places[hn::MaxLanes(di)];
-  hn::Store(hn::Iota(di, static_cast<std::int64_t>(first)), di, places);
-  AppendCrossings(d, span, rays, places, wanted, found);
-}
-
 template <class D>
 HWY_INLINE void StoreSpans(
   D d, const TetrahedronSpan<D>& span, std::size_t i, std::uint64_t wanted, CellSpans& spans)

@@ -131,21 +131,6 @@ inline MeshCellPoints PointsOf(const MeshPart& part, std::int64_t cell)
     part, cell, [&](std::int64_t i) { return part.Connectivity.IdAt(first + i); });
 }
 
-/// Read a cell.
-/// \pre the connectivity is valid
-inline void ReadCell(const MeshPart& part, std::int64_t number, MeshCell& cell)
-{
-  const MeshCellPoints points = PointsOf(part, number);
-  cell.Shape = points.Shape;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(cell.NumberOfPoints()); ++i)
-  {
-    const std::int64_t id = points.Ids[i];
-    cell.Points[i] = { part.Coordinates[0].At(id), part.Coordinates[1].At(id),
-      part.Coordinates[2].At(id) };
-    cell.Values[i] = part.Values.At(id);
-  }
-}
-
 }
 
 #endif

@@ -61,12 +61,6 @@ struct alignas(64) PlacedCell
     this->Take(cell, 3, [&](std::size_t i) { return cell.Values[i] - cell.Values[0]; });
   }
 
-  /// A point as the functions have it.
-  glm::dvec3 Relative(const glm::dvec3& point) const
-  {
-    return this->PerLength * (point - this->Origin);
-  }
-
 private:
   /// A tetrahedron is the corner of a parallelepiped.
   template <typename Corner>

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_TetrahedronPoints_h
 #define TemporalCoherence_TetrahedronPoints_h
 
-#include "Mesh/TurnedPairs.h"
+#include "Mesh/CornerPoints.h"
 
 namespace TemporalCoherence
 {

@@ -3,8 +3,6 @@
 #ifndef TemporalCoherence_KernelsTileGrid_h
 #define TemporalCoherence_KernelsTileGrid_h
 
-#include "Trees/MeshBoxes.h"
-
 #include <glm/glm.hpp>
 
 #include <array>
@@ -26,18 +24,6 @@ struct alignas(64) BoxLanes
       this->Middle[a][lane] = static_cast<float>(0.5 * (low[axis] + high[axis]));
       this->Half[a][lane] = static_cast<float>(0.5 * (high[axis] - low[axis]));
     }
-  }
-
-  FloatBox BoxAt(std::size_t lane) const
-  {
-    FloatBox box;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const auto axis = static_cast<int>(a);
-      box.Low[axis] = this->Middle[a][lane] - this->Half[a][lane];
-      box.High[axis] = this->Middle[a][lane] + this->Half[a][lane];
-    }
-    return box;
   }
 
   /// How far single precision may move a box, as a share of the lattice.

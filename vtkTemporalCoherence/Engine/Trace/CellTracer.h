@@ -7,10 +7,6 @@
 #include "Trace/SurfaceTracer.h"
 #include "Trace/TracedCells.h"
 
-#include <cmath>
-#include <limits>
-#include <memory>
-
 namespace TemporalCoherence
 {
 
@@ -209,17 +205,6 @@ private:
     }
   }
 };
-
-/// Make the tracer of a scene for a geometry.
-template <typename T, typename Geometry>
-std::shared_ptr<const SurfaceTracer> MakeCellTracer(const TraceScene& scene, const Geometry& shape)
-{
-  if (scene.Samples.Between == Interpolation::Nearest)
-  {
-    return std::make_shared<CellTracer<T, Geometry, Interpolation::Nearest>>(scene, shape);
-  }
-  return std::make_shared<CellTracer<T, Geometry, Interpolation::Linear>>(scene, shape);
-}
 
 }
 

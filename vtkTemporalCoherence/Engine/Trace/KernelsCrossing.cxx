@@ -5,7 +5,6 @@
 #include "Trace/CellRoot.h"
 #include "Trace/CellSegment.h"
 
-#include <algorithm>
 #include <limits>
 
 // This file is compiled once for each kind of vectors. The best one for the machine is chosen at
@@ -298,16 +297,6 @@ void FindCrossingsInBoxes(SegmentBatch<double>& segments, bool isSolid)
 {
   using namespace SegmentKernels;
   HWY_DYNAMIC_DISPATCH(FindInBoxes)(segments, isSolid);
-}
-
-void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid)
-{
-  FindOneByOne(segments, isSolid);
-}
-
-void FindCrossingsOneByOne(SegmentBatch<double>& segments, bool isSolid)
-{
-  FindOneByOne(segments, isSolid);
 }
 
 void FindNearestCrossings(SegmentBatch<float>& segments)

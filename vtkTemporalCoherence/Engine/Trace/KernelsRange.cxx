@@ -5,7 +5,6 @@
 #include "Trace/CellSegment.h"
 
 #include <algorithm>
-#include <cmath>
 
 // This file is compiled once for each kind of vectors. The best one for the machine is chosen at
 // run time.
@@ -71,25 +70,6 @@ namespace
 {
 
 template <typename Real>
-void FindOneByOne(SegmentBatch<Real>& in, RangeBatch<Real>& out)
-{
-  for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
-  {
-    const CellSegment<Real> segment(in, i);
-    const Cubic<Real> cubic = CubicAlong(segment.Values, segment.Path);
-    in.Enter[i] = segment.Enter;
-    out.Leave[i] = segment.Leave;
-    const std::array<Real, 2> range = RangeOf(cubic);
-    out.Lowest[i] = range[0];
-    out.Highest[i] = range[1];
-    for (std::size_t c = 0; c < 4; ++c)
-    {
-      out.Cubic[c][i] = cubic[c];
-    }
-  }
-}
-
-template <typename Real>
 void FindNearest(SegmentBatch<Real>& in, RangeBatch<Real>& out)
 {
   for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
@@ -139,16 +119,6 @@ void FindRanges(SegmentBatch<double>& segments, RangeBatch<double>& ranges)
     FillLastVector(segments);
     HWY_DYNAMIC_DISPATCH(RangesDouble)(segments, ranges);
   }
-}
-
-void FindRangesOneByOne(SegmentBatch<float>& segments, RangeBatch<float>& ranges)
-{
-  FindOneByOne(segments, ranges);
-}
-
-void FindRangesOneByOne(SegmentBatch<double>& segments, RangeBatch<double>& ranges)
-{
-  FindOneByOne(segments, ranges);
 }
 
 void FindNearestRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges)

@@ -23,16 +23,12 @@ struct RangeBatch
 /// Find the lowest and the highest value of the field along each segment, and where the ray enters
 /// and leaves the cell.
 ///
-/// Uses the widest vectors of the machine. The results are bit-identical to those of
-/// FindRangesOneByOne.
+/// Uses the widest vectors of the machine. The results are bit-identical to those of CellSegment
+/// and CellRoot.h.
 void FindRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges);
 void FindRanges(SegmentBatch<double>& segments, RangeBatch<double>& ranges);
 
-/// The same, one by one: the reference that the others are compared with.
-void FindRangesOneByOne(SegmentBatch<float>& segments, RangeBatch<float>& ranges);
-void FindRangesOneByOne(SegmentBatch<double>& segments, RangeBatch<double>& ranges);
-
-/// The same for nearest interpolation. Of the cubic only the first and the last coefficient have a
+/// Find them for nearest interpolation. Of the cubic only the first and the last coefficient have a
 /// meaning: the values at the ends.
 void FindNearestRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges);
 void FindNearestRanges(SegmentBatch<double>& segments, RangeBatch<double>& ranges);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_BlockWalk_h
-#define TemporalCoherence_BlockWalk_h
+#ifndef Testing_BlockWalk_h
+#define Testing_BlockWalk_h
 
 #include "Acceleration/ActiveCells.h"
 #include "Trace/CellWalk.h"

@@ -283,8 +283,7 @@ public:
     ROUTE_IMAGE_CACHE = 6, ///< the view changed: rays start from what a cached image shows
     ROUTE_TIME_STEP,       ///< samples changed: pixels that no changed sample affects are copied
     ROUTE_RECOMPOSITE,     ///< only opacities changed: known layers are composited again
-    ROUTE_KEEP_LAYERS,     ///< not made any more, since a cold frame is as fast
-    ROUTE_KEEP_VALUES      ///< colours of a projection changed: what rays have met is known
+    ROUTE_KEEP_VALUES = 10 ///< colours of a projection changed: what rays have met is known
   };
 
   //@{

@@ -137,7 +137,7 @@ fi
 if asked_for rest; then
   plots=(--plots "$output")
   [ "$charts" = yes ] || plots=()
-  scenarios "Threads, vectors, features" variants threads,vectors,features,opacities,surfaces,window,structures \
+  scenarios "Threads, vectors, features" variants threads,vectors,features,opacities,window,structures \
     --views whole,close
   scenarios "Images and isomaps" images image-cache,drift,isomap --views whole "${plots[@]}"
   scenarios "Growth" growth growth --views whole "${largest[@]}" "${plots[@]}"

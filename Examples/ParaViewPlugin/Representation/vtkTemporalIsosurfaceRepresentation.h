@@ -123,8 +123,8 @@ public:
 
   /**
    * How many frames took each route, since this was made: Cold, Redisplay, Reshade, IsomapLookup,
-   * IsomapBuild, a number without a route, ImageCache, TimeStep, Recomposite, KeepLayers
-   * (none any more), KeepValues.
+   * IsomapBuild, a number without a route, ImageCache, TimeStep, Recomposite, a number without a
+   * route, KeepValues.
    * Frames that failed are not counted.
    */
   vtkIdTypeArray* GetRouteCounts();

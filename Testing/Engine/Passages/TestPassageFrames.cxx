@@ -23,7 +23,7 @@ using namespace TemporalCoherence;
 class PassageFrames : public OpacityChanges
 {
 protected:
-  /// Without kept layers: these would serve isovalues that stay, before an isomap is built.
+  /// Without image cache: new opacities are looked up, too, and not composited again.
   PassageFrames() { this->Options.Reuse.ImageCache = false; }
 
   /// Drag isovalues, and now and then change opacities, colours, or jump.

@@ -10,7 +10,7 @@
 namespace TemporalCoherence
 {
 
-/// How a whole frame is made.
+/// How a whole frame is made. Routes that are no more leave gaps in the numbers.
 enum class Route : std::uint8_t
 {
   Cold,           ///< every ray is traced, without help from an earlier frame
@@ -18,7 +18,7 @@ enum class Route : std::uint8_t
   Reshade,        ///< only the appearance changed: known hits get new colours
   IsomapLookup,   ///< another isovalue in the same view, looked up in the isomap
   IsomapBuild,    ///< the same, where the isomap lacks tiles: they are built or traced
-  ImageCache = 6, ///< another view: a cached image tells where walks may begin (5 is no more)
+  ImageCache = 6, ///< another view: a cached image tells where walks may begin
   TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
   Recomposite,    ///< only opacities changed: known layers are composited again
   KeepValues = 10 ///< a projection's colours changed: what rays have met is known

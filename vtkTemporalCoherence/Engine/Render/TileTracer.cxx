@@ -130,17 +130,13 @@ void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
     [this](const RayBatch& part, HitBatch& found) { this->Tracer->Trace(part, found); });
 }
 
-void TileTracer::FindLayers(const RayBatch& rays, LayerBatch& layers) const
-{
-  FindLayersWithin(this->Rays.Clipper, *this->Tracer, rays, layers);
-}
-
-/// Find the first layers of all rays. The nearest ones are the hits.
+/// Find the first layers of all rays, as far as light reaches by the opacities of the isovalues.
+/// The nearest ones are the hits.
 void TileTracer::FindFirstLayers(TileHits& found) const
 {
   LayerBatch& layers = found.Layers;
   layers.Begin(static_cast<std::size_t>(found.Rays.Count), this->Alphas);
-  this->FindLayers(found.Rays, layers);
+  FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, layers);
   found.TakeFirstLayers();
 }
 

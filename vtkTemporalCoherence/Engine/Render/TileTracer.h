@@ -51,11 +51,6 @@ private:
   /// \return false if the rays are known to meet nothing. They are not set up then
   bool SetUp(std::int64_t tile, const PixelRect& part, TileHits& found) const;
 
-  /// Find the first layers along each ray within the region: those of a pass. The rays go on as far
-  /// as light reaches, by the opacities of the isovalues.
-  /// \param layers of rays that are set up, begun
-  void FindLayers(const RayBatch& rays, LayerBatch& layers) const;
-
   bool MayBeCapped(std::int64_t tile) const;
   bool CanSkip(std::int64_t tile) const;
   void Find(const RayBatch& rays, HitBatch& hits) const;

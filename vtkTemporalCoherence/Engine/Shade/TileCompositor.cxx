@@ -185,6 +185,7 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part,
   GiveBackMemory(layers);
   GiveBackMemory(behind.Hits);
   canvas.Finish();
+  this->Paint(layers, frame);
 }
 
 /// Shade known layers and composite them behind the present ones, and keep them. Those that no
@@ -362,6 +363,8 @@ void TileCompositor::RecolorMerged(std::uint64_t merged, std::int64_t tile, cons
   counts.MergedLayers += kept.NumberMerged();
 }
 
+/// Paint pixels whose first surface the appearance asks to paint.
+/// \param layers of a tile of the frame
 void TileCompositor::Paint(const std::vector<LayerHit>& layers, Frame& frame) const
 {
   if (this->Key.Appearance.ColorByAnswer && !layers.empty())

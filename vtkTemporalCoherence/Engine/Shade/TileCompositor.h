@@ -48,14 +48,10 @@ public:
     TraceCounts& counts) const;
 
   /// The same where layers are known: composite them, and find those behind them where light
-  /// passes. The planes need not hold anything before. Pixels are not painted.
+  /// passes. The planes need not hold anything before.
   /// \throws std::bad_alloc
   void CompositeKnown(std::int64_t tile, const PixelRect& part, const KnownLayers& known,
     Frame& frame, TraceCounts& counts) const;
-
-  /// Paint pixels whose first surface the appearance asks to paint.
-  /// \param layers of a tile of the frame
-  void Paint(const std::vector<LayerHit>& layers, Frame& frame) const;
 
   /// Colour a tile again from the layers of the frame. Merged layers are traced again. Nothing is
   /// allocated.
@@ -79,6 +75,7 @@ private:
     TraceCounts& counts) const;
   void RecolorMerged(std::uint64_t merged, std::int64_t tile, const PixelRect& part,
     const PixelCentres& centres, LayerCanvas& canvas, Frame& frame, TraceCounts& counts) const;
+  void Paint(const std::vector<LayerHit>& layers, Frame& frame) const;
 
   const FrameKey& Key;
   LayerShader Shader;

@@ -85,7 +85,6 @@ void TileShader::ShadeKnown(std::int64_t tile, const PixelRect& part, const Fram
   {
     const TileTimer timer(tile, counts.ShadeTime);
     this->Compositor->CompositeKnown(tile, part, KnownLayers(tile, part, last), frame, counts);
-    this->Compositor->Paint(frame.Layers[place], frame);
     return;
   }
   StoreFirstLayers(KnownLayers(tile, part, last), tile, part, frame);

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------

@@ -12,7 +12,6 @@
 #include "Composite/CompositeBeam.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

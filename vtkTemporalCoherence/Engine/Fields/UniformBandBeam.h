@@ -10,8 +10,6 @@
 #include "Trace/CellWalk.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 
 namespace TemporalCoherence

@@ -8,7 +8,6 @@
 #include "Shade/LatticeFaces.h"
 #include "Shade/SurfaceNormal.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace TemporalCoherence

@@ -6,7 +6,6 @@
 #include "Isomap/BandTracer.h"
 #include "Trace/SurfaceTracer.h"
 
-#include <cstdint>
 #include <memory>
 
 namespace TemporalCoherence

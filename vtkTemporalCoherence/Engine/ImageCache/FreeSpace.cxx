@@ -7,7 +7,6 @@
 #include "Scene/Parallel.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace TemporalCoherence
 {

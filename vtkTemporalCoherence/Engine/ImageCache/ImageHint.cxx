@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageCache/ImageHint.h"
 
-#include <algorithm>
-
 namespace TemporalCoherence
 {
 

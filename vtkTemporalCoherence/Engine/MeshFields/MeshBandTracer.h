@@ -10,7 +10,6 @@
 #include "MeshTiles/MeshTile.h"
 #include "MeshTiles/PreparedLeaves.h"
 
-#include <cstddef>
 #include <cstdint>
 
 namespace TemporalCoherence

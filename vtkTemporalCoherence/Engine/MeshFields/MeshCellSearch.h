@@ -13,7 +13,6 @@
 #include "Trace/SurfaceTracer.h"
 #include "Trees/MeshTree.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -9,7 +9,6 @@
 #include <glm/glm.hpp>
 
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include "MeshTiles/CellFolds.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -7,7 +7,6 @@
 #include "Mesh/MeshCell.h"
 #include "Scene/RayBatch.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

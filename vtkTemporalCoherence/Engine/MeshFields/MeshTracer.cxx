@@ -7,9 +7,7 @@
 #include "Trace/HitRules.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace TemporalCoherence

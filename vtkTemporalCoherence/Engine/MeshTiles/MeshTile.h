@@ -13,7 +13,6 @@
 #include "Trees/MeshTree.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -8,7 +8,6 @@
 #include "Scene/RayBatch.h"
 #include "Trace/SurfaceTracer.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -7,8 +7,6 @@
 #include "Scene/Timers.h"
 #include "Trace/RayPieces.h"
 
-#include <algorithm>
-
 namespace TemporalCoherence
 {
 namespace

@@ -5,7 +5,6 @@
 #include "Scene/FieldKind.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace TemporalCoherence
 {

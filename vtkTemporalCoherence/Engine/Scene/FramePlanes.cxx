@@ -5,7 +5,6 @@
 #include "Scene/Disparity.h"
 
 #include <algorithm>
-#include <limits>
 #include <type_traits>
 
 namespace TemporalCoherence

@@ -9,7 +9,6 @@
 #include "Trees/MeshOrder.h"
 #include "Trees/MeshReader.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace TemporalCoherence

@@ -5,7 +5,6 @@
 
 #include "Adaptive/AmrBlocks.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

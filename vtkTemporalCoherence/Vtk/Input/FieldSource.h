@@ -15,7 +15,6 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>

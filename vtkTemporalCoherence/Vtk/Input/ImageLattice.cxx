@@ -5,7 +5,6 @@
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 
-#include <cmath>
 #include <sstream>
 
 namespace TemporalCoherence

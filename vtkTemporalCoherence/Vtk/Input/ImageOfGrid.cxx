@@ -10,7 +10,6 @@
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

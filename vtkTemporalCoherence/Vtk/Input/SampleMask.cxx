@@ -16,7 +16,6 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 namespace TemporalCoherence

@@ -7,8 +7,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
-#include <string>
-
 namespace TemporalCoherence
 {
 

@@ -5,7 +5,6 @@
 #include <vtkPoints.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace TemporalCoherence
 {

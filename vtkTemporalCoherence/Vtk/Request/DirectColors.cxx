@@ -3,7 +3,6 @@
 #include "Request/DirectColors.h"
 
 #include <cassert>
-#include <cstddef>
 #include <limits>
 
 namespace TemporalCoherence

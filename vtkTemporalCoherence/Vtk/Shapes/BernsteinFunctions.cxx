@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes/BernsteinFunctions.h"
 
-#include <cmath>
 #include <cstddef>
 
 namespace TemporalCoherence

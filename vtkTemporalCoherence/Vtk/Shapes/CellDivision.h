@@ -9,7 +9,6 @@
 #include <glm/glm.hpp>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

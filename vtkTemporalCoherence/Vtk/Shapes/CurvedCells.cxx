@@ -10,7 +10,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace TemporalCoherence

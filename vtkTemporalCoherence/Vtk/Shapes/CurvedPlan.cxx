@@ -5,7 +5,6 @@
 #include "Scene/Parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>

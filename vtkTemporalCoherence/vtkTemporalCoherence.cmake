@@ -101,10 +101,6 @@ set(engine_files
   Beams/KernelsCellValues
   Beams/KernelsLayerBeam
   Beams/KernelsMetCells
-  Passages/KernelsPassageBeam
-  Passages/KernelsPassedCells
-  Passages/PassageLookup
-  Passages/PassageSearch
   Fields/ExtremeSearches
   Fields/KernelsCorners
   Fields/RectilinearKind

@@ -150,8 +150,7 @@ public:
    *   and so it does for translucent surfaces.
    * - IsomapRange: the isovalues for which it is built at once. Default: none (lo > hi).
    * - IsomapMemoryLimit: its memory for each viewer, in MiB. Default: 256; 0 switches it off. The
-   *   least recently used bands are dropped. Outside of the range, 32 bytes a pixel are the limit,
-   *   and 96 for translucent surfaces.
+   *   least recently used bands are dropped. Outside of the range, 32 bytes a pixel are the limit.
    */
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);

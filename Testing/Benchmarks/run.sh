@@ -132,7 +132,6 @@ if asked_for peers; then
 fi
 if asked_for drags; then
   scenarios "Drags" drags drags --views whole,close
-  scenarios "Drags of layers" layer_drags layer-drags --views whole,close
 fi
 if asked_for rest; then
   plots=(--plots "$output")

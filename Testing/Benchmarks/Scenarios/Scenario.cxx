@@ -80,6 +80,6 @@ const std::vector<Volumes::Sample>& FewVolumes()
 std::vector<Scenario> Scenarios::All()
 {
   return { Routes(), Peers(), LayerPeers(), Meshes(), ImageCache(), Drift(), Isomap(), Drags(),
-    LayerDrags(), Growth(), Threads(), Vectors(), Structures(), Window(), Features(), Opacities(),
-    Floor(), BlendedVolumes() };
+    Growth(), Threads(), Vectors(), Structures(), Window(), Features(), Opacities(), Floor(),
+    BlendedVolumes() };
 }

@@ -69,7 +69,6 @@ Scenario ImageCache();
 Scenario Drift();
 Scenario Isomap();
 Scenario Drags();
-Scenario LayerDrags();
 Scenario Growth();
 Scenario Threads();
 Scenario Vectors();

@@ -83,7 +83,7 @@ void TestAllFields()
   }
 }
 
-/// See-through surfaces, whose isomaps hold every passage of a ray.
+/// See-through surfaces: the first one of a ray is looked up, those behind it are traced.
 void TestTranslucentSurfaces()
 {
   const std::vector<Sweep::Placing> placings = Sweep::AllPlacings();

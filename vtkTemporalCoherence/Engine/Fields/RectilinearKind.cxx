@@ -7,7 +7,6 @@
 #include "Fields/RectilinearBeam.h"
 #include "Fields/UniformBlending.h"
 #include "Isomap/CellBandTracer.h"
-#include "Passages/PassageTracer.h"
 #include "Scene/CellBox.h"
 #include "Shade/LatticeFaces.h"
 #include "Shade/RectilinearGradients.h"
@@ -100,7 +99,7 @@ public:
     return same && (same->Grid == this->Grid || same->Grid->Along == this->Grid->Along);
   }
 
-  FieldAbilities Abilities() const override { return { true, true, true, true }; }
+  FieldAbilities Abilities() const override { return { true, true, true }; }
 
   bool AreBlocksAlike() const override { return false; }
 
@@ -150,16 +149,10 @@ public:
   std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
   {
     return DispatchScalarType(scene.Samples.Type,
-      [&](auto type) -> std::shared_ptr<const BandTracer>
+      [&](auto type)
       {
-        using T = decltype(type);
-        const RectilinearCells<T> shape(*this->Grid);
-        if (scene.Form.HasPassages)
-        {
-          return std::make_shared<PassageTracer<T, RectilinearCells<T>>>(
-            scene, shape, this->Grid.get());
-        }
-        return MakeCellBandTracer<T>(scene, shape);
+        return MakeCellBandTracer<decltype(type)>(
+          scene, RectilinearCells<decltype(type)>(*this->Grid));
       });
   }
 

@@ -5,7 +5,6 @@
 #include "Beams/BeamChoice.h"
 #include "Fields/UniformBandBeam.h"
 #include "Isomap/CellBandTracer.h"
-#include "Passages/PassageTracer.h"
 
 #include <memory>
 
@@ -57,10 +56,6 @@ std::shared_ptr<const BandTracer> MakeUniformBandTracer(const BandScene& scene)
     [&](auto type) -> std::shared_ptr<const BandTracer>
     {
       using T = decltype(type);
-      if (scene.Form.HasPassages)
-      {
-        return std::make_shared<PassageTracer<T, UniformCells<T>>>(scene, UniformCells<T>());
-      }
       if (scene.Samples.Between == Interpolation::Nearest)
       {
         return MakeCellBandTracer<T>(scene, UniformCells<T>());

@@ -35,7 +35,7 @@ struct UniformPlanes
 class UniformFieldKind final : public FieldKind
 {
 public:
-  FieldAbilities Abilities() const override { return { true, true, true, true }; }
+  FieldAbilities Abilities() const override { return { true, true, true }; }
 
   std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const override
   {

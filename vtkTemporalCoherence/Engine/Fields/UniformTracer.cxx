@@ -7,7 +7,6 @@
 #include "Fields/KernelsCorners.h"
 #include "Fields/UniformBeam.h"
 #include "Fields/UniformCells.h"
-#include "Passages/KernelsPassedCells.h"
 #include "Trace/KernelsCrossing.h"
 #include "Trace/KernelsRays.h"
 #include "Trace/KernelsWalk.h"
@@ -71,7 +70,7 @@ public:
     {
       std::copy(cells.Cell[a].begin(), cells.Cell[a].end(), segments.Cell[a].begin());
     }
-    this->GatherCorners(this->Cells.Differences[cells.Surface], cells.Cell, segments);
+    this->GatherCorners(this->Cells.Differences[cells.Surface], cells, segments);
     hits.CellsRead += static_cast<std::int64_t>(hwy::PopCount(cells.Rays));
     this->FindInSegments(segments);
     const auto surface = static_cast<std::int16_t>(cells.Surface);
@@ -98,28 +97,6 @@ public:
       }
     }
     return { missing, 0 };
-  }
-
-  void SearchPassed(const RayBatch& rays, PassedCells& cells) const override
-  {
-    if (Between == Interpolation::Nearest || this->Cells.Rules.AreCappedBehindHidden())
-    {
-      Base::SearchPassed(rays, cells);
-      return;
-    }
-    SegmentBatch<Real> segments;
-    segments.Count = cells.Count;
-    GatherRays(rays, cells.Ray, segments);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      auto& along = cells.Cell[a];
-      std::copy_n(along.begin(), cells.Count, segments.Cell[a].begin());
-      // Vectors gather whole batches.
-      std::fill(along.begin() + cells.Count, along.end(), along[0]);
-    }
-    this->GatherCorners(this->Cells.Differences[cells.Surface], cells.Cell, segments);
-    FillLastVector(segments);
-    FindPassedSurfaces(segments, this->Cells.Rules.IsSolid(), cells);
   }
 
 private:
@@ -293,14 +270,14 @@ private:
 
   /// Read the corners of the cells of rays, most of which will hold hits, which are shaded next.
   void GatherCorners(
-    const Difference<T>& difference, const CellColumns& cells, SegmentBatch<Real>& segments) const
+    const Difference<T>& difference, const RayCells& cells, SegmentBatch<Real>& segments) const
   {
     if constexpr (sizeof(T) <= 2)
     {
       const Field& field = this->Cells.Scene.Samples;
       const std::array<double, 3> parts = difference.Parts();
       if (!this->IsLarge && NarrowSamples<T>::Are(field) &&
-        GatherDifferences(NarrowSamples<T>(field), cells, field.Dimensions.x,
+        GatherDifferences(NarrowSamples<T>(field), cells.Cell, field.Dimensions.x,
           static_cast<float>(parts[0]), static_cast<float>(parts[1]), segments.Corners))
       {
         return;

@@ -120,9 +120,8 @@ double BandPlan::StepsFor(const Wish& wish) const
   const double step = StepOf(wish) / wish.Range;
   const auto costOfStep = [&](double steps)
   { return (this->CostOf((steps - 1.0) * step) - this->LookUp) / Served(steps); };
-  const auto end = std::upper_bound(AllSteps.begin(), AllSteps.end(), wish.MostSteps);
-  const double best = *std::min_element(
-    AllSteps.begin(), end, [&](double a, double b) { return costOfStep(a) < costOfStep(b); });
+  const double best = *std::min_element(AllSteps.begin(), AllSteps.end(),
+    [&](double a, double b) { return costOfStep(a) < costOfStep(b); });
   const double fitting = this->MemoryByWidth > 0.0 && step > 0.0
     ? 1.0 + MostMemory / (this->MemoryByWidth * step)
     : AllSteps.back();

@@ -20,9 +20,8 @@ public:
   struct Wish
   {
     double Isovalue;
-    double Before;           ///< the previous one; the same if it did not move
-    double Range;            ///< of all values
-    double MostSteps = 40.0; ///< that a band may reach ahead, its first isovalue among them
+    double Before; ///< the previous one; the same if it did not move
+    double Range;  ///< of all values
   };
 
   /// True if the isovalue moves by more than a step of a drag. Nobody knows where it goes next.

@@ -57,12 +57,14 @@ constexpr std::size_t GroupsToATrial = 8;
 /// The share of the groups that a frame builds if the picture depends on it.
 constexpr double FixedShare = 1.0 / 12.0;
 
-/// Steps of a drag that bands of passages may reach ahead. A ray has the more passages the wider a
-/// band is, and each is built, kept and looked through.
-constexpr double StepsOfPassages = 12.0;
+/// Memory of all bands that nobody asked for, by pixels.
+constexpr std::size_t BytesAPixel = 32;
 
-/// Memory of all bands that nobody asked for, by pixels: with knots, and with passages.
-constexpr std::size_t BytesAPixel = 32, BytesOfPassages = 96;
+/// Bytes for all that nobody asked for, whatever the user's limit.
+std::size_t MostRoom(const glm::ivec2& pixels)
+{
+  return BytesAPixel * static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(pixels.y);
+}
 
 bool IsAutomatic(const GroupBand& band)
 {
@@ -161,12 +163,7 @@ BandPlan::Wish FrameBands::WishFor(double isovalue) const
   const auto nearest = std::min_element(before.begin(), before.end(),
     [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
   const glm::dvec2& range = this->From.Pyramid.FiniteRange();
-  BandPlan::Wish wish{ isovalue, nearest != before.end() ? *nearest : isovalue, range.y - range.x };
-  if (this->Map.Form().HasPassages)
-  {
-    wish.MostSteps = StepsOfPassages;
-  }
-  return wish;
+  return { isovalue, nearest != before.end() ? *nearest : isovalue, range.y - range.x };
 }
 
 /// Choose groups to build among those that would be traced: in each frame others, spread over the
@@ -209,14 +206,6 @@ void FrameBands::Choose(double extra)
   this->MakeRoom(count);
 }
 
-/// Bytes for all that nobody asked for, whatever the user's limit.
-std::size_t FrameBands::MostRoom() const
-{
-  const glm::ivec2& pixels = this->From.Key.View.Size;
-  return (this->Map.Form().HasPassages ? BytesOfPassages : BytesAPixel) *
-    static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(pixels.y);
-}
-
 /// Bytes that the user's limit leaves for all that nobody asked for.
 std::size_t FrameBands::RoomOfUser() const
 {
@@ -229,7 +218,7 @@ std::size_t FrameBands::RoomOfUser() const
 /// Bytes for all bands that nobody asked for.
 std::size_t FrameBands::RoomForAll() const
 {
-  const std::size_t most = std::min(this->RoomOfUser(), this->MostRoom());
+  const std::size_t most = std::min(this->RoomOfUser(), MostRoom(this->From.Key.View.Size));
   const std::size_t bounds = this->Map.MemoryOfBounds();
   return most > bounds ? most - bounds : 0;
 }
@@ -271,7 +260,7 @@ void FrameBands::MakeRoom(std::size_t planned)
 /// True if the user's limit of memory is lower than that of bands that nobody asked for.
 bool FrameBands::IsLimitedByUser() const
 {
-  return this->RoomOfUser() < this->MostRoom();
+  return this->RoomOfUser() < MostRoom(this->From.Key.View.Size);
 }
 
 std::size_t FrameBands::NumberOf(GroupWork work) const

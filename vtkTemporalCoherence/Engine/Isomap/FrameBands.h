@@ -109,7 +109,6 @@ private:
   ValueBand Widened(std::size_t isovalue) const;
   const TileBounds* BoundsFor(std::size_t isovalue, const Clock& clock);
   std::size_t BytesOfNewBounds() const;
-  std::size_t MostRoom() const;
   std::size_t RoomOfUser() const;
   std::size_t RoomForAll() const;
   bool IsLimitedByUser() const;

@@ -48,11 +48,10 @@ double Isomap::SmallestTolerance(const Field& field, const IndexTransform& trans
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
 {
-  // With nearest interpolation rays walk anyway, and knots tell the first surface.
-  if (key.Isosurfaces.IsTranslucent() && key.Samples.Between == Interpolation::Linear &&
-    key.Samples.Kind->Abilities().Passages)
+  // Layers behind a translucent surface are traced from there on, so that it has to be exact.
+  if (key.Isosurfaces.IsTranslucent())
   {
-    return { 0.0, false, true };
+    return {};
   }
   // With nearest interpolation there are no curves to fit. Behind hidden cells, distances may jump,
   // and in meshes anywhere.
@@ -61,7 +60,7 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
     options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
   return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Transform).Shortest
                     : 0.0,
-    options.HasNormals, false };
+    options.HasNormals };
 }
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const

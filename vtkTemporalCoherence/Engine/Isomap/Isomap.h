@@ -79,8 +79,8 @@ public:
   /// The same for a field of any size.
   static double SmallestTolerance(const Field& field, const IndexTransform& transform);
 
-  /// The form of the knots for a frame. Translucent surfaces are looked up by passages, exactly:
-  /// tolerance and normals count as off.
+  /// The form of the knots for a frame. For translucent surfaces, tolerance and normals count as
+  /// off.
   static KnotForm FormFor(const FrameKey& key, const Options& options);
 
   /// True if the kind of a field has isomaps, and its cell indices fit into knots.

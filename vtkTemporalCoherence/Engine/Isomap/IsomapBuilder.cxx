@@ -47,8 +47,7 @@ bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options
 {
   const bool hasFailed = this->FailedLimit >= options.MemoryLimit &&
     (this->Map.IsOf(key, options) || Isomap::FixedMemory(key) > options.MemoryLimit);
-  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && !IsTooCoarse(key, options) &&
-    !hasFailed;
+  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && !hasFailed;
 }
 
 /// If a range is new, what was asked for before is no longer asked for.

@@ -31,8 +31,7 @@ public:
   /// True if there are bands for all isovalues of a frame in the whole picture.
   bool Covers(const FrameKey& key, const Isomap::Options& options) const
   {
-    return this->Map.IsOf(key, options) && this->Map.Covers(key.Isosurfaces.Isovalues) &&
-      !IsTooCoarse(key, options);
+    return this->Map.IsOf(key, options) && this->Map.Covers(key.Isosurfaces.Isovalues);
   }
 
   /// True if building bands for a frame may succeed.
@@ -74,12 +73,6 @@ public:
   void Release();
 
 private:
-  /// True if layers behind a looked-up surface could not be found: its distance is not exact.
-  static bool IsTooCoarse(const FrameKey& key, const Isomap::Options& options)
-  {
-    return Isomap::FormFor(key, options).Tolerance > 0.0 && key.Isosurfaces.IsTranslucent();
-  }
-
   bool Begin(const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid);
   void Ask(const ValueBand& range, const ValueRangePyramid& pyramid);
   void ForgetIfEmpty();

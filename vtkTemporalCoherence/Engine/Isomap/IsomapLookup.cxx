@@ -110,7 +110,7 @@ try
     {
       return false;
     }
-    IsovalueKeys found{ band, {}, {}, 0 };
+    IsovalueKeys found{ band, {}, {} };
     const BandScale scale(this->Key.Samples.Type, band->Values, this->FiniteRange);
     for (const ValueDirection direction : { ValueDirection::Rising, ValueDirection::Falling })
     {
@@ -119,7 +119,6 @@ try
         scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
       found.Key[static_cast<std::size_t>(direction)] = scale.KeyOf(progress);
     }
-    found.InPassages = static_cast<PassageKey>(scale.InKeys(scale.DifferenceOf(isovalue)));
     keys.push_back(found);
   }
   return true;
@@ -129,11 +128,13 @@ catch (const std::bad_alloc&)
   return false;
 }
 
+/// What is stored of a tile for an isovalue, of each piece of its rays; null if they meet nothing.
 const TileKnots* IsomapLookup::KnotsOf(const IsovalueKeys& keys, std::int64_t tile) const
 {
   return keys.Band->At(static_cast<std::size_t>(tile % TileGrain), this->Pieces);
 }
 
+/// True if no ray of a tile meets an isovalue of any of the bands.
 bool IsomapLookup::IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const
 {
   return std::all_of(keys.begin(), keys.end(),
@@ -199,6 +200,8 @@ TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part,
   return counts;
 }
 
+/// Write the hits of a tile.
+/// \param unresolved rays that do not count, one bit each
 TraceCounts IsomapLookup::StoreFound(
   std::uint64_t unresolved, TileHits& tileHits, Frame& frame) const
 {

@@ -36,7 +36,6 @@ public:
     const GroupBand* Band;
     std::array<BandScale::Key, NumberOfDirections> Key; ///< of the isovalue, in each direction
     std::array<double, NumberOfDirections> Progress;    ///< the same, as stored
-    PassageKey InPassages;                              ///< its key there
   };
 
   /// The isovalues of the frame in the bands of a group of tiles.
@@ -54,17 +53,6 @@ public:
   TraceCounts LookUpTile(std::int64_t tile, const PixelRect& part,
     const std::vector<IsovalueKeys>& keys, Frame& frame, std::uint64_t& unresolved,
     TileHits& tileHits) const;
-
-  /// What is stored of a tile for an isovalue, of each piece of its rays; null if they meet
-  /// nothing.
-  const TileKnots* KnotsOf(const IsovalueKeys& keys, std::int64_t tile) const;
-
-  /// True if no ray of a tile meets an isovalue of any of the bands.
-  bool IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const;
-
-  /// Write the hits of a tile.
-  /// \param unresolved rays that do not count, one bit each
-  TraceCounts StoreFound(std::uint64_t unresolved, TileHits& tileHits, Frame& frame) const;
 
 private:
   /// What was found in a tile.
@@ -100,7 +88,11 @@ private:
   void FindInFittedKnots(std::size_t surface, std::uint64_t which,
     const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;
+  TraceCounts StoreFound(std::uint64_t unresolved, TileHits& tileHits, Frame& frame) const;
   void StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const;
+
+  const TileKnots* KnotsOf(const IsovalueKeys& keys, std::int64_t tile) const;
+  bool IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const;
 
   const FrameKey& Key;
   const Isomap& Map;

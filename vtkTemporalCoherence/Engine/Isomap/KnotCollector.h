@@ -25,13 +25,11 @@ struct KnotForm
   double Tolerance = 0.0; ///< largest error of a distance; 0: knots are cells. Only fields with
                           ///< linear interpolation are fitted
   bool HasNormals = false;
-  bool HasPassages = false; ///< all passages of each ray, and no knots: for translucent surfaces
 };
 
 inline bool operator==(const KnotForm& a, const KnotForm& b)
 {
-  return a.Tolerance == b.Tolerance && a.HasNormals == b.HasNormals &&
-    a.HasPassages == b.HasPassages;
+  return a.Tolerance == b.Tolerance && a.HasNormals == b.HasNormals;
 }
 
 /// Collects the knots of the rays of a tile in any order of rays, and hands them over ray by ray.

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include <hwy/cache_control.h>
@@ -27,9 +26,6 @@ enum class ValueDirection : std::uint8_t
   Falling ///< from above to below; isovalues in descending order, from the band's highest
 };
 constexpr std::size_t NumberOfDirections = 2;
-
-/// What tells values of a band apart in passages.
-using PassageKey = std::uint8_t;
 
 /// Converts isovalues of a band to *progress* in a direction: 0 at the first isovalue of the band,
 /// `Span` at the last. A ray that has reached progress p has passed all isovalues up to p.
@@ -78,14 +74,6 @@ struct BandScale
     return static_cast<Key>(1 + below + (static_cast<double>(below) < at ? 1 : 0));
   }
 
-  /// A difference from the band's lowest isovalue in units of a PassageKey. Isovalues of the band
-  /// lie between 0 and LargestInKeys, and have the integer below as their key.
-  static constexpr double LargestInKeys = 254.0;
-  double InKeys(double difference) const
-  {
-    return this->Span > 0.0 ? difference / this->Span * LargestInKeys : 0.0;
-  }
-
   /// Progress and differences are stored in single precision, relative to the largest difference.
   /// StoredError is the resulting error.
   float Stored(double progress) const
@@ -105,26 +93,6 @@ struct BandScale
 /// Columns: key of the field along the ray up to the end of the cell, first corner of the cell.
 using CellIndex = std::array<std::uint16_t, 3>;
 using CellKnots = RayTable<BandScale::Key, CellIndex>;
-
-/// All cells in which the field along a ray may take isovalues of a band: its passages, in their
-/// order along it. An isovalue is not met elsewhere; where its key is within a passage, the cell
-/// has to be searched.
-struct PassageTable
-{
-  /// Columns: number of the cell, and keys of the lowest and the highest value, both included and
-  /// rounded outwards.
-  using RowsOfRays = RayTable<std::uint16_t, PassageKey, PassageKey>;
-
-  std::size_t MemoryInBytes() const
-  {
-    return this->Rows.MemoryInBytes() + this->NumberOfCells * sizeof(CellIndex);
-  }
-
-  RowsOfRays Rows;
-  std::unique_ptr<CellIndex[]> Cells; ///< by number
-  std::uint16_t NumberOfCells = 0;
-  bool MayBeCapped = false; ///< some ray may begin in a solid
-};
 
 /// The first of the ascending keys begin .. end - 1 that is at least `key`.
 inline std::size_t FirstNotBelow(
@@ -183,7 +151,6 @@ struct TileKnots
   std::array<CellKnots, NumberOfDirections> Cells;     ///< for exact look-ups
   std::array<FittedKnots, NumberOfDirections> Fitted;  ///< or for those with a tolerance
   std::array<KnotNormals, NumberOfDirections> Normals; ///< of the knots, if they are wanted
-  PassageTable Passages;                               ///< or for translucent surfaces, alone
 
   /// The field's difference from the band's lowest isovalue where each ray begins, as stored;
   /// -infinity below the band. Empty if all rays begin below the band.
@@ -191,16 +158,14 @@ struct TileKnots
   static constexpr std::size_t RaysOfLine = 16; ///< in a line of a cache
 
   /// One bit for each ray that cannot be looked up, because it meets samples that are not finite.
-  /// Of passages: each ray that has more than are stored, and goes on behind its last one.
   std::uint64_t Unresolved = 0;
 
   bool IsEmpty() const
   {
     const auto isEmpty = [](const auto& table) { return table.IsEmpty(); };
     return std::all_of(this->Cells.begin(), this->Cells.end(), isEmpty) &&
-      std::all_of(this->Fitted.begin(), this->Fitted.end(), isEmpty) &&
-      this->Passages.Rows.IsEmpty() && this->Entries.empty() && this->Unresolved == 0 &&
-      !this->Passages.MayBeCapped;
+      std::all_of(this->Fitted.begin(), this->Fitted.end(), isEmpty) && this->Entries.empty() &&
+      this->Unresolved == 0;
   }
 
   /// Have memory bring the cells and entries.
@@ -218,7 +183,7 @@ struct TileKnots
 
   std::size_t NumberOfKnots() const
   {
-    std::size_t knots = this->Passages.Rows.NumberOfRows();
+    std::size_t knots = 0;
     for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
       knots += this->Cells[direction].NumberOfRows() + this->Fitted[direction].NumberOfRows();
@@ -228,7 +193,7 @@ struct TileKnots
 
   std::size_t MemoryInBytes() const
   {
-    std::size_t bytes = this->Entries.capacity() * sizeof(float) + this->Passages.MemoryInBytes();
+    std::size_t bytes = this->Entries.capacity() * sizeof(float);
     for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
       bytes += this->Cells[direction].MemoryInBytes() + this->Fitted[direction].MemoryInBytes() +

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/IsomapLookup.h"
-#include "Passages/PassageLookup.h"
 #include "Render/RouteSteps.h"
 
 #include <vtkSMPTools.h>
@@ -68,8 +67,6 @@ public:
     , Unresolved(unresolved)
     , Limit(limit)
     , Lookup(task.Key, map, task.Structures.Pyramid().FiniteRange())
-    , Passages(task.Key, this->Lookup, task.Structures.Pyramid().FiniteRange(), space)
-    , HasPassages(map.Form().HasPassages)
     , Tracer(SceneOf(task, space, nullptr))
     , Shader(task.Key, task.Structures.Pyramid().FiniteRange(), space,
         map.Form().HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All)
@@ -102,9 +99,8 @@ private:
         std::uint64_t& left = this->Unresolved[static_cast<std::size_t>(tile)];
         left = 0;
         TileHits found;
-        TraceCounts ofTile = !isFound ? this->Tracer.Trace(tile, part, frame, found)
-          : this->HasPassages         ? this->Passages.LookUpTile(tile, part, keys, frame, found)
-                              : this->Lookup.LookUpTile(tile, part, keys, frame, left, found);
+        TraceCounts ofTile = isFound ? this->Lookup.LookUpTile(tile, part, keys, frame, left, found)
+                                     : this->Tracer.Trace(tile, part, frame, found);
         if (left == 0)
         {
           (isFound ? this->Shader : this->ShaderOfTraced).Shade(tile, part, &found, frame, ofTile);
@@ -119,8 +115,6 @@ private:
   std::vector<std::uint64_t>& Unresolved;
   LayerLimit& Limit;
   IsomapLookup Lookup;
-  PassageLookup Passages;
-  bool HasPassages;
   TileTracer Tracer;
   TileShader Shader, ShaderOfTraced;
 };

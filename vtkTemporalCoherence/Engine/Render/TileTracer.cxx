@@ -135,7 +135,20 @@ void TileTracer::FindFirstLayers(TileHits& found) const
   LayerBatch& layers = found.Layers;
   layers.Begin(static_cast<std::size_t>(found.Rays.Count), this->Alphas);
   FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, layers);
-  found.TakeFirstLayers();
+  found.HasLayers = true;
+  found.Hits.Clear(found.Rays.Count);
+  found.Hits.CellsRead = layers.CellsRead;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found.Rays.Count); ++i)
+  {
+    if (layers.Count[i] > 0)
+    {
+      const std::size_t first = layers.Place[0][i];
+      found.Hits.Depth[i] = layers.Distance[first];
+      found.Hits.Surface[i] = layers.Surface[first];
+      found.Hits.Kind[i] = layers.Kind[first];
+      found.Hits.Cell[i] = layers.Cell[first];
+    }
+  }
 }
 
 /// Trace the rays of a tile, and again those about which the hint was wrong.

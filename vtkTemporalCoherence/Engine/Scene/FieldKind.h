@@ -49,7 +49,6 @@ struct FieldAbilities
   bool Isomaps = false; ///< it has a BandTracer, and its SurfaceTracer searches the cells of knots
   bool Samples = false; ///< it has samples at Field::Samples, from which value ranges are made
   bool TimeSteps = false; ///< fingerprints tell which samples changed
-  bool Passages = false;  ///< its isomaps can hold all passages of rays, for translucent surfaces
   /// Its cells have any shape: hits tell their cells, and it has no samples. It has an end anywhere
   /// in its box, where solids are capped.
   bool IsMesh = false;

@@ -53,43 +53,6 @@ public:
     return { missing, 0 };
   }
 
-  bool AppendIn(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,
-    LayerBatch& layers) const override
-  {
-    const Segment segment(this->Cells.Shape.RayOf(rays, ray), cell);
-    if (!segment.HasLength() || this->Cells.IsHidden(cell))
-    {
-      return true;
-    }
-    const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
-    return this->AppendAll(rays, ray, false, layers,
-      [&](const auto& consider) { this->Layers.Search(this->Cells, segment, samples, consider); });
-  }
-
-  void AppendCaps(const RayBatch& rays, LayerBatch& layers) const override
-  {
-    if (!this->Cells.Rules.IsSolid() || !rays.MayBeCapped)
-    {
-      return;
-    }
-    ForEachRay(layers.Open,
-      [&](std::size_t ray)
-      {
-        if (!(rays.Begin[ray] < rays.End[ray]))
-        {
-          return;
-        }
-        const glm::ivec3 cell =
-          this->Cells.Shape.RayOf(rays, ray).CellAt(rays.Begin[ray], this->Cells.Count);
-        if (this->Layers.MayHoldSolid(this->Cells, cell))
-        {
-          this->AppendAll(rays, ray, true, layers,
-            [&](const auto& consider)
-            { this->Layers.FindCaps(this->Cells, rays, ray, cell, consider); });
-        }
-      });
-  }
-
 protected:
   /// Cap solids that rays begin in.
   void FindCaps(const RayBatch& rays, HitBatch& hits) const
@@ -122,32 +85,6 @@ protected:
 private:
   using Real = typename Geometry::Real;
   using Segment = typename Geometry::Segment;
-
-  /// Append the surfaces that `search` finds behind the last one of a ray, one after the other.
-  /// \param areCaps all lie at one place
-  /// \return false if others lie too close together
-  template <typename Search>
-  bool AppendAll(const RayBatch& rays, std::size_t ray, bool areCaps, LayerBatch& layers,
-    const Search& search) const
-  {
-    const HitRules& rules = this->Cells.Rules;
-    while (layers.IsOpen(ray))
-    {
-      NextHit next(rules, LastOn(rules, rays.Begin[ray], ray, layers));
-      search([&next](double distance, HitKind kind, std::int16_t surface)
-        { next.Consider(distance, kind, surface); });
-      if (!next.IsFound())
-      {
-        return true;
-      }
-      if (!areCaps && !layers.IsClearlyBehind(ray, next.Distance()))
-      {
-        return false;
-      }
-      next.Append(ray, layers);
-    }
-    return true;
-  }
 
   /// Walk from cell to cell up to the first hit.
   void Walk(const RayBatch& rays, std::size_t ray, HitBatch& hits) const

@@ -151,13 +151,6 @@ public:
 
   const MetSurface& Before() const { return this->Last; }
 
-  double Distance() const { return this->Next.Distance; }
-
-  void Append(std::size_t ray, LayerBatch& layers) const
-  {
-    layers.Append(ray, this->Next.Distance, this->Next.Kind, this->Surface);
-  }
-
   void Store(std::size_t ray, HitBatch& hits) const
   {
     hits.Depth[ray] = this->Next.Distance;

@@ -54,28 +54,6 @@ struct SegmentBatch
   const double* EndOf() const { return (this->All ? this->All->End : this->End).data(); }
 };
 
-/// Set the rays of segments.
-/// \param from of each segment, the place of its ray in the batch
-template <typename Real, typename Places>
-void GatherRays(const RayBatch& rays, const Places& from, SegmentBatch<Real>& segments)
-{
-  const auto gather = [&](const auto& values, auto& to)
-  {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
-    {
-      to[i] = values[from[i]];
-    }
-  };
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    gather(rays.Origin[a], segments.Origin[a]);
-    gather(rays.Direction[a], segments.Direction[a]);
-    gather(rays.Inverse[a], segments.Inverse[a]);
-  }
-  gather(rays.Begin, segments.Begin);
-  gather(rays.End, segments.End);
-}
-
 /// Append the segment of a ray through a cell.
 template <typename Real>
 void AppendSegment(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,

@@ -65,12 +65,6 @@ void SurfaceTracer::FindLayers(const RayBatch& rays, LayerBatch& layers) const
   }
 }
 
-void SurfaceTracer::SearchPassed(const RayBatch&, PassedCells& cells) const
-{
-  cells.One = cells.Exits = 0;
-  cells.Open = ~std::uint64_t(0);
-}
-
 SearchedCells SurfaceTracer::SearchCells(const RayBatch&, const RayCells& cells, HitBatch&) const
 {
   return { cells.Rays, 0 };

@@ -58,37 +58,6 @@ struct SearchedCells
     0; ///< it meets the surface where it leaves the cell: others may have it, too
 };
 
-/// Cells in which rays may meet one surface, each of some ray of a batch, and what the search of
-/// them finds.
-struct PassedCells
-{
-  int Count = 0;
-  std::size_t Surface = 0;                           ///< position in the list of isovalues
-  RayBatch::Array<std::uint8_t> Ray;                 ///< of each cell
-  std::array<RayBatch::Array<std::int32_t>, 3> Cell; ///< by axis
-
-  // One bit for each cell:
-  std::uint64_t One = 0;  ///< the ray meets the surface there once: Distance, and Kind by Exits
-  std::uint64_t Open = 0; ///< not known: to be searched with all surfaces
-  std::uint64_t Exits = 0;
-  RayBatch::Array<double> Distance;
-
-  void Append(std::size_t ray, const std::array<std::uint16_t, 3>& cell)
-  {
-    const auto at = static_cast<std::size_t>(this->Count++);
-    this->Ray[at] = static_cast<std::uint8_t>(ray);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      this->Cell[a][at] = cell[a];
-    }
-  }
-
-  glm::ivec3 CellAt(std::size_t i) const
-  {
-    return { this->Cell[0][i], this->Cell[1][i], this->Cell[2][i] };
-  }
-};
-
 /// Finds the surfaces along the rays of a batch, for one kind of field.
 ///
 /// The hit of a ray is the nearest surface of all isovalues, by the rules of HitOrder.h. It depends
@@ -130,23 +99,6 @@ public:
   /// Thread-safe.
   virtual SearchedCells SearchCells(
     const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
-
-  /// Search cells for one surface, where that can be done for many at once. By default none is.
-  /// Thread-safe.
-  virtual void SearchPassed(const RayBatch& rays, PassedCells& cells) const;
-
-  /// Append what an open ray meets in a cell behind its last layer, of all surfaces. Only called
-  /// for kinds whose isomaps hold passages. Thread-safe.
-  /// \return false if surfaces lie too close together to be told in this way: the ray must walk
-  ///         from its last layer on
-  virtual bool AppendIn(
-    const RayBatch&, std::size_t /*ray*/, const glm::ivec3& /*cell*/, LayerBatch&) const
-  {
-    return false;
-  }
-
-  /// Append caps where open rays begin in solids. As above.
-  virtual void AppendCaps(const RayBatch&, LayerBatch&) const {}
 
 protected:
   SurfaceTracer() = default;

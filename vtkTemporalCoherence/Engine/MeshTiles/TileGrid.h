@@ -96,7 +96,7 @@ public:
   {
     // A part of the slack is left for single precision.
     const double slack = 0.5 * this->Slack();
-    for (const std::size_t corner : { 0, TileSize - 1, 64 - TileSize, 63 })
+    for (const std::size_t corner : Corners)
     {
       const glm::dvec3 from = OriginOf(rays, corner), along = DirectionOf(rays, corner);
       const glm::dvec3 to = from + 2.0 * this->Reach() / glm::length(along) * along;
@@ -121,7 +121,7 @@ public:
   {
     constexpr double most = 1e-4;
     const double reach = this->Reach();
-    for (const std::size_t corner : { 0, TileSize - 1, 64 - TileSize, 63 })
+    for (const std::size_t corner : Corners)
     {
       const glm::dvec3 from = OriginOf(rays, corner) - this->Seen.Origin;
       const glm::dvec3 along = this->Unit * AheadOf(rays, corner);
@@ -174,6 +174,9 @@ public:
   }
 
 private:
+  /// The rays at the corners of a tile.
+  static constexpr std::array<std::size_t, 4> Corners{ 0, TileSize - 1, 64 - TileSize, 63 };
+
   /// How points p of index space are seen: at column Row[1] . q / Row[0] . q, in row
   /// Row[2] . q / Row[0] . q, where q = p - Origin. In parallel views, nothing is divided.
   struct TileRows

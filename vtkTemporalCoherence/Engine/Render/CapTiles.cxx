@@ -135,7 +135,7 @@ public:
         {
           const glm::ivec3 first = ValueRangePyramid::NodeSize * glm::ivec3(x, y, z);
           if (this->AreIn(first, ValueRangePyramid::NodeSize) &&
-            this->MayBeInside(this->Ranges.NodeAt<T>(node)))
+            this->MayBeInside(this->Ranges.template NodeAt<T>(node)))
           {
             this->FindInNode(node, first, found);
           }
@@ -150,7 +150,7 @@ private:
   void FindInNode(std::int64_t node, const glm::ivec3& firstCell, std::vector<CellBox>& found) const
   {
     constexpr int size = ValueRangePyramid::LeafSize;
-    const ValueRangePyramid::Range<T>* const ranges = this->Ranges.LeavesOf<T>(node);
+    const ValueRangePyramid::Range<T>* const ranges = this->Ranges.template LeavesOf<T>(node);
     glm::ivec3 low = this->Cells, high(0);
     for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
     {

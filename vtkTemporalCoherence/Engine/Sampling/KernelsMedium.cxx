@@ -38,7 +38,6 @@ public:
     const MediumPlaces& places, std::size_t first, std::size_t count)
     : Look(look)
     , Segments(segments)
-    , Count(count)
   {
     const Floats d;
     this->Share = hn::LoadU(d, &places.Share[first]);
@@ -266,7 +265,6 @@ private:
 
   const MediumLook& Look;
   const MediumSegments& Segments;
-  std::size_t Count;
   V Share;
   std::int32_t Which[WidestVector], Rows[WidestVector];
 };

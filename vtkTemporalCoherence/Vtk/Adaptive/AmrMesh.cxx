@@ -4,6 +4,7 @@
 
 #include "Adaptive/AmrLeaves.h"
 #include "Adaptive/LeafSearch.h"
+#include "Mesh/MeshCell.h"
 #include "Shapes/MadeCells.h"
 #include "Shapes/PointReader.h"
 
@@ -151,7 +152,7 @@ bool MakeHexahedra(
       ForHexahedra(blocks, leaves, slices[s],
         [&](const std::array<std::int32_t, 8>& corners)
         {
-          for (const std::size_t corner : { 0, 1, 3, 2, 4, 5, 7, 6 }) // VTK's order
+          for (const std::uint8_t corner : HexahedronCorners)
           {
             *next++ = corners[corner];
           }

@@ -188,7 +188,8 @@ TEST_P(MeshPlaces, CapsOnEdgesHaveNormalsOfTheBoundary)
   {
     GTEST_SKIP() << "there are gaps between faces of cells of different types";
   }
-  const auto [low, high] = this->Bounds();
+  const std::pair<glm::dvec3, glm::dvec3> bounds = this->Bounds();
+  const glm::dvec3 &low = bounds.first, &high = bounds.second;
   int count = 0;
   this->ForEachCell(
     [&](CellNumber number, const MeshCell& cell)
@@ -196,7 +197,7 @@ TEST_P(MeshPlaces, CapsOnEdgesHaveNormalsOfTheBoundary)
       const bool isTetrahedron = cell.Shape == MeshCellShape::Tetrahedron;
       const glm::dvec3 middle = MeshKernels::PointAt(cell, glm::dvec3(isTetrahedron ? 0.25 : 0.5));
       const std::vector<Face> faces = FacesOf(cell);
-      const auto isOuter = [&, low = low, high = high](const Face& face)
+      const auto isOuter = [&](const Face& face)
       {
         bool isOn = false;
         for (int axis = 0; axis < 3; ++axis)
@@ -248,7 +249,8 @@ TEST_P(MeshPlaces, CapsOnPlanesHaveNoNormalsOfInnerFaces)
   {
     GTEST_SKIP() << "there are gaps between faces of cells of different types";
   }
-  const auto [low, high] = this->Bounds();
+  const std::pair<glm::dvec3, glm::dvec3> bounds = this->Bounds();
+  const glm::dvec3 &low = bounds.first, &high = bounds.second;
   const glm::dvec3 center = 0.5 * (low + high);
   const double radius = 0.3 * glm::distance(low, center);
   this->ForEachCell(

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace
@@ -51,24 +50,6 @@ SegmentBatch<Real> RandomSegments(int count, std::mt19937& engine)
     }
   }
   return segments;
-}
-
-/// What FindCrossings finds, segment by segment.
-template <typename Real>
-void FindCrossingsOneByOne(SegmentBatch<Real>& in, bool isSolid)
-{
-  for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
-  {
-    const CellSegment<Real> segment(in, i);
-    const Cubic<Real> cubic = CubicAlong(segment.Values, segment.Path);
-    in.Enter[i] = segment.Enter;
-    in.AtEntry[i] = cubic[0];
-    Real share = Real(0);
-    const bool begins = isSolid && IsInside(cubic[0]);
-    const bool isFound = begins || FirstCrossing(cubic, share);
-    in.Distance[i] = isFound ? segment.DistanceAt(static_cast<double>(share))
-                             : std::numeric_limits<double>::infinity();
-  }
 }
 
 /// What FindRanges finds, segment by segment.

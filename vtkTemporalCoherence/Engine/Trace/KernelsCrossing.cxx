@@ -299,6 +299,16 @@ void FindCrossingsInBoxes(SegmentBatch<double>& segments, bool isSolid)
   HWY_DYNAMIC_DISPATCH(FindInBoxes)(segments, isSolid);
 }
 
+void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid)
+{
+  FindOneByOne(segments, isSolid);
+}
+
+void FindCrossingsOneByOne(SegmentBatch<double>& segments, bool isSolid)
+{
+  FindOneByOne(segments, isSolid);
+}
+
 void FindNearestCrossings(SegmentBatch<float>& segments)
 {
   FindNearest(segments);

@@ -10,8 +10,9 @@ namespace TemporalCoherence
 
 /// Find the first crossing of zero along each segment, exactly (CellRoot.h).
 ///
-/// Uses the widest vectors of the machine. The results are bit-identical to those of CellSegment
-/// and CellRoot.h. \param isSolid a segment that begins inside (>= 0) crosses where it begins
+/// Uses the widest vectors of the machine. The results are bit-identical to those of
+/// FindCrossingsOneByOne.
+/// \param isSolid a segment that begins inside (>= 0) crosses where it begins
 void FindCrossings(SegmentBatch<float>& segments, bool isSolid);
 void FindCrossings(SegmentBatch<double>& segments, bool isSolid);
 
@@ -19,6 +20,10 @@ void FindCrossings(SegmentBatch<double>& segments, bool isSolid);
 /// results are bit-identical to those of RectilinearSegment.
 /// \pre arrays are set up to the end of the last vector
 void FindCrossingsInBoxes(SegmentBatch<double>& segments, bool isSolid);
+
+/// Find the first crossings one by one. FindCrossings does so with few segments.
+void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid);
+void FindCrossingsOneByOne(SegmentBatch<double>& segments, bool isSolid);
 
 /// Find the first crossings with nearest interpolation: the faces half way between samples.
 void FindNearestCrossings(SegmentBatch<float>& segments);

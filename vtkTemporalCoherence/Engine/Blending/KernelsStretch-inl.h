@@ -215,6 +215,9 @@ HWY_INLINE V SpreadOf(const EmissionAt& atA, const EmissionAt& atB)
     hn::Sub(hn::Set(d, 1.0f / 12.0f), hn::Mul(hn::Mul(slope, slope), hn::Set(d, 1.0f / 36.0f))));
 }
 
+/// Values that are fewer bins apart have too few digits in the differences of Moment and Order.
+constexpr float FewestBinsApart = 4.0f;
+
 /// The mean place of what is emitted in a step, as a share of it.
 /// \param spread see SpreadOf
 HWY_INLINE V CentreOf(V a, const EmissionAt& atA, V b, const EmissionAt& atB, V depth, V spread)
@@ -223,8 +226,8 @@ HWY_INLINE V CentreOf(V a, const EmissionAt& atA, V b, const EmissionAt& atB, V 
   const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
   const V difference = hn::Sub(b, a), sum = hn::Sub(atB.Sum[0], atA.Sum[0]);
   const V product = hn::Mul(difference, sum);
-  const M isFar =
-    hn::And(hn::Ge(hn::Abs(difference), hn::Set(d, 4.0f)), hn::Gt(hn::Abs(product), least));
+  const M isFar = hn::And(
+    hn::Ge(hn::Abs(difference), hn::Set(d, FewestBinsApart)), hn::Gt(hn::Abs(product), least));
   const V moment = hn::Sub(hn::Sub(atB.Moment, atA.Moment), hn::Mul(a, sum));
   const V ends = hn::Add(hn::Add(atA.Value[0], atB.Value[0]), least);
   // Where values are close together, extinction changes evenly.
@@ -248,13 +251,13 @@ HWY_INLINE void PullColors(const TransferTables& tables, V a, const EmissionAt& 
   const V smaller = hn::Min(atA.Value[0], atB.Value[0]);
   const V sum = hn::Sub(atB.Sum[0], atA.Sum[0]);
   // A wall in between has its own colour, and sums do not count all of what is opaque at once.
-  const M isThin =
-    hn::And(hn::Eq(atA.Walls, atB.Walls), hn::Le(larger, hn::Set(d, tables.MostCounted)));
-  const M isFar = hn::And(isThin,
-    hn::And(hn::Ge(hn::Abs(hn::Sub(b, a)), hn::Set(d, 4.0f)),
+  const M isOpen = hn::Eq(atA.Walls, atB.Walls);
+  const M isCounted = hn::And(isOpen, hn::Le(larger, hn::Set(d, tables.MostCounted)));
+  const M isFar = hn::And(isCounted,
+    hn::And(hn::Ge(hn::Abs(hn::Sub(b, a)), hn::Set(d, FewestBinsApart)),
       hn::Gt(hn::Abs(sum), hn::Max(hn::Set(d, tables.LeastOrdered), least))));
-  const M isEven = hn::AndNot(isFar,
-    hn::And(hn::Eq(atA.Walls, atB.Walls), hn::Gt(smaller, hn::Mul(hn::Set(d, 1e-3f), larger))));
+  const M isEven =
+    hn::AndNot(isFar, hn::And(isOpen, hn::Gt(smaller, hn::Mul(hn::Set(d, 1e-3f), larger))));
   const V perSum = hn::Div(one, hn::IfThenElse(isFar, sum, one));
   const V perA = hn::Div(hn::Set(d, 1.0f / 12.0f), hn::Max(atA.Value[0], least));
   const V perB = hn::Div(hn::Set(d, 1.0f / 12.0f), hn::Max(atB.Value[0], least));

@@ -22,8 +22,8 @@ struct alignas(64) EmissionBin
   Emission Value; ///< where the bin begins, per world distance
   Emission Rise;  ///< from there to its end
   Emission Sum;   ///< the integral from the beginning of the range to the bin, in bins
-  float Moment;   ///< that integral of extinction times value in bins
-  /// That of red, green and blue times Sum[0]: it tells which colours are emitted first.
+  float Moment;   ///< the integral of extinction times the value in bins
+  /// The integrals of emitted red, green and blue times Sum[0], which tell the order of colours.
   std::array<float, 3> Order;
 };
 

@@ -16,7 +16,7 @@
  * isovalue is needed. A picture is what ever denser samples lead to (SetSampleDistance(0), the
  * default), and rays end at opaque props.
  *
- * Documentation/Mapper.md has an example and the details of all settings. It defines the terms that
+ * Documentation/Mapper.md has the details and limits of all settings. It defines the terms that
  * are used here (such as voxel). The image cache and the isomap are those of "Accelerating Volume
  * Visualization by Exploiting Temporal Coherence".
  *

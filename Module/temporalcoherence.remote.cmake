@@ -4,7 +4,7 @@
 # Temporal coherence: a volume mapper that re-uses the last frame
 #
 # License: BSD-3-Clause. Maintainers: the vtkTemporalCoherence authors.
-# Needs GLM and Highway, see Documentation/InsideVTK.md of the module.
+# Needs GLM and Highway, see Documentation/Building.md of the module.
 #
 # To be put into Remote/ of VTK's tree. The address stands for the one at which the module is published.
 

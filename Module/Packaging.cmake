@@ -23,7 +23,7 @@ set(TEMPORAL_COHERENCE_DEBIAN_MAINTAINER "${default_maintainer}" CACHE STRING
 
 # Messages name source files; those of a package must not name the directory of who built it.
 foreach (part IN ITEMS
-    TemporalCoherenceEngine TemporalCoherence vtkTemporalCoherenceAutoload vtkTemporalCoherencePython)
+    TemporalCoherenceEngine TemporalCoherenceVolumes TemporalCoherence vtkTemporalCoherenceAutoload vtkTemporalCoherencePython)
   if (TARGET "${part}")
     target_compile_options("${part}" PRIVATE
       $<$<CXX_COMPILER_ID:GNU,Clang>:-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=>)

@@ -11,6 +11,6 @@
 vtk_fetch_module(TemporalCoherence
   "Isosurfaces of volumes, ray cast on the CPU, that re-use the last frame."
   GIT_REPOSITORY https://vtktemporalcoherence.invalid/vtkTemporalCoherence.git
-  # vtkTemporalCoherence 0.2.0
-  GIT_TAG v0.2.0
+  # vtkTemporalCoherence 0.3.0
+  GIT_TAG v0.3.0
   )

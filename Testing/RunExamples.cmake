@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs a build, builds the examples against what was installed and nothing else, runs them and
-# looks at what they made. Called by ctest (see Examples.cmake) with
+# The examples build against an installation and nothing else, run, and make pictures that show
+# something.
+#
+# Called by ctest (see Examples.cmake) with
 #   BUILD CONFIGURATION    the build to install
 #   EXAMPLES SCRATCH       directories: the examples' sources; where all this happens
 #   CHECK_PICTURE          a program that fails for pictures that show nothing

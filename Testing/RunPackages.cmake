@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Makes the Debian packages of a build, unpacks them, looks at what is in them, and builds a small
-# program against it. Called by ctest (see Packages.cmake) with
+# The Debian packages of a build hold what they have to, name no directory of the build, and suffice to
+# build a small program.
+#
+# Called by ctest (see Packages.cmake) with
 #   BUILD SOURCE VERSION       the build, its sources and their version
 #   PREFIX LIBRARY_DIRECTORY   what the build is to be installed in
 #   SCRATCH                    the directory where all this happens

@@ -80,7 +80,7 @@ std::string WhyNotDrawn(vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer
   }
   if (mapper->GetRenderToImage())
   {
-    return "RenderToImage is on";
+    return "MakeImage is on";
   }
   return std::string();
 }
@@ -114,7 +114,7 @@ void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper*
   to->SetMaskType(from->GetMaskType());
   to->SetMaskBlendFactor(from->GetMaskBlendFactor());
   to->SetBlendMode(from->GetBlendMode());
-  // But not the distance between samples: without one, pictures are as dense samples would show.
+  // Not SampleDistance: without it, pictures are converged.
   to->SetAverageIPScalarRange(from->GetAverageIPScalarRange());
   to->SetAutoAdjustSampleDistances(from->GetAutoAdjustSampleDistances());
   to->SetMinimumImageSampleDistance(from->GetMinimumImageSampleDistance());

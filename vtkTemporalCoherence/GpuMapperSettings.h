@@ -17,13 +17,13 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Why vtkTemporalCoherenceVolumeMapper cannot draw what a GPU mapper has to draw, as the end of a
-/// sentence; empty if it can. Who blends volumes is not asked.
+/// The reason why vtkTemporalCoherenceVolumeMapper cannot draw the volume of a GPU mapper, as the
+/// end of a sentence; empty if it can. BlendVolumes is not considered.
 std::string WhyNotDrawn(
   vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/// True if VTK's mapper may take a tenth of the time where OpenGL runs on the CPU: all samples
-/// along a ray are blended, and none is interpolated.
+/// True if VTK's mapper may be ten times as fast even with OpenGL on the CPU: all samples along a
+/// ray are blended, and none is interpolated.
 bool IsSlowlyBlended(int blendMode, vtkVolume* volume);
 
 /// Copy the input and all relevant settings of a mapper to another. Equal settings are not

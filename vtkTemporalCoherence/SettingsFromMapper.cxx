@@ -25,19 +25,6 @@ VectorChoice VectorsOf(Mapper* mapper)
   }
 }
 
-ReuseAccuracy AccuracyOf(Mapper* mapper)
-{
-  switch (mapper->GetReuseAccuracy())
-  {
-    case Mapper::EXACT:
-      return ReuseAccuracy::Exact;
-    case Mapper::PAPER:
-      return ReuseAccuracy::Paper;
-    default:
-      return ReuseAccuracy::Bounded;
-  }
-}
-
 }
 
 PictureSettings SettingsOf(Mapper* mapper)
@@ -52,8 +39,9 @@ PictureSettings SettingsOf(Mapper* mapper)
   settings.DepthPass = mapper->GetUseDepthPass() ? mapper->GetDepthPassContourValues() : nullptr;
   settings.Mask = { mapper->GetMaskInput(), mapper->GetMaskType() == Mapper::LabelMapMaskType,
     mapper->GetMaskBlendFactor() };
-  settings.SampleDistance = static_cast<double>(mapper->GetSampleDistance());
-  settings.AveragedGradients = mapper->GetAveragedGradients() != 0;
+  settings.SampleDistance =
+    mapper->GetFixedStepSampling() ? static_cast<double>(mapper->GetSampleDistance()) : 0.0;
+  settings.AveragedGradients = mapper->GetSmoothMeshNormals() != 0;
   settings.MeshMemoryLimit = static_cast<std::size_t>(mapper->GetMeshMemoryLimit()) << 20;
   return settings;
 }
@@ -62,10 +50,11 @@ FrameRenderer::Options OptionsOf(Mapper* mapper)
 {
   FrameRenderer::Options options;
   options.SpaceLeaping = mapper->GetSpaceLeaping() != 0;
-  options.Reuse.ImageCache = mapper->GetImageCache() != 0;
+  options.Reuse.ImageCache = mapper->GetReuseFrames() != 0;
   options.Reuse.Isomap = mapper->GetIsomap() != 0;
   options.Reuse.RefineWhenStill = mapper->GetRefineWhenStill() != 0;
-  options.Accuracy = AccuracyOf(mapper);
+  options.Accuracy =
+    mapper->GetReuseAccuracy() == Mapper::PAPER ? ReuseAccuracy::Paper : ReuseAccuracy::Exact;
   options.InterpolateColors = mapper->GetImageCacheShading() == Mapper::INTERPOLATE;
   options.Images.Policy = mapper->GetImageCachePolicy() == Mapper::KEY_IMAGE
     ? ImageCachePolicy::KeyImage

@@ -14,10 +14,10 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Read the mapper's own settings that its pictures depend on.
+/// Read the mapper's own settings that affect its pictures.
 PictureSettings SettingsOf(vtkTemporalCoherenceVolumeMapper* mapper);
 
-/// Read its options for making frames. Tiles are not reported.
+/// Read the mapper's options for making frames. ReportsTiles stays false.
 FrameRenderer::Options OptionsOf(vtkTemporalCoherenceVolumeMapper* mapper);
 
 }

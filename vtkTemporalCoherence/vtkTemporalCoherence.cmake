@@ -4,9 +4,10 @@ find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
 
 set(engine_files
-  Scene/FieldKind
+  Scene/FieldShape
   Scene/FrameKey
   Scene/FramePlanes
+  Scene/HiddenCells
   Scene/RayBatch
   Scene/Region
   Scene/View
@@ -14,132 +15,99 @@ set(engine_files
   Acceleration/FieldFingerprint
   Acceleration/FieldStructures
   Acceleration/FiniteRange
-  Acceleration/HiddenCells
   Acceleration/KernelsPyramid
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
-  Trace/KernelsCrossing
-  Trace/KernelsRange
-  Trace/KernelsRays
-  Trace/KernelsWalk
-  Trace/RayPieces
-  Trace/RaySource
-  Trace/RegionClipper
-  Trace/SurfaceTracer
-  Mesh/CellPoints
-  Mesh/HexahedronRoots
-  Mesh/KernelsCellGradients
-  Mesh/KernelsHexahedra
-  Mesh/KernelsHexahedronSpans
-  Mesh/KernelsKnownTetrahedra
-  Mesh/KernelsTetrahedra
-  Layers/KnownLayers
-  Layers/LimitedLayers
-  Layers/RecoloredLayers
+  Lattice/BeamChoice
+  Lattice/KernelsBeam
+  Lattice/KernelsBeamSetUp
+  Lattice/KernelsCellValues
+  Lattice/KernelsCorners
+  Lattice/KernelsCrossing
+  Lattice/KernelsLayerBeam
+  Lattice/KernelsMetCells
+  Lattice/KernelsRange
+  Lattice/KernelsRays
+  Lattice/KernelsWalk
+  Lattice/RayPieces
+  Lattice/RaySource
+  Lattice/RegionClipper
+  Lattice/SurfaceTracer
+  Lattice/UniformTracer
+  ImageCache/ImageCache
+  ImageCache/ImageQuery
+  ImageCache/KernelsImage
+  ImageCache/PaperHint
   Shade/CapNormal
+  Shade/FieldNormals
   Shade/HitGathering
   Shade/KernelsCells
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
+  Shade/KnownLayers
   Shade/LayerShader
+  Shade/LimitedLayers
+  Shade/RecoloredLayers
   Shade/RectilinearGradients
   Shade/Shader
   Shade/SurfaceNormal
   Shade/TileCompositor
   Shade/TileShader
-  Blending/KernelsEmission
-  Blending/KernelsVolumeSegments
-  Blending/TransferTables
-  Blending/VisibleBands
-  Composite/CompositeTracer
-  Composite/EmissionArcs
-  Composite/KernelsCompositeBeam
-  Sampling/ComponentLooks
-  Sampling/ConvergedTracer
-  Sampling/KernelsMedium
-  Sampling/LookTables
-  Sampling/Medium
-  Sampling/MediumParts
-  Sampling/MediumTables
-  Sampling/PhongLight
-  Sampling/SampledTracer
-  Sampling/VisibleComponents
-  Projections/ExtremeLook
-  Projections/FieldProbe
-  Projections/ImageShares
-  Projections/KernelsExtremes
-  Projections/KernelsShares
-  Projections/MetValues
-  Projections/ProjectionTracer
-  Projections/ShareTable
-  Projections/ShareTracer
-  ImageCache/FreeSpace
-  ImageCache/FreeSpaceHint
-  ImageCache/ImageCache
-  ImageCache/ImageHint
-  ImageCache/ImageQuery
-  ImageCache/KernelsImage
-  ImageCache/PaperHint
   Isomap/BandBuilder
-  Isomap/BandPlan
-  Isomap/BandTracer
+  Isomap/DragRule
   Isomap/FrameBands
-  Isomap/GroupCosts
   Isomap/Isomap
   Isomap/IsomapBuilder
   Isomap/IsomapLookup
+  Isomap/KernelsBandBeam
   Isomap/KnotCollector
   Isomap/Knots
   Isomap/RangeBuild
   Isomap/TileGroups
-  Beams/BeamChoice
-  Beams/KernelsBandBeam
-  Beams/KernelsBeam
-  Beams/KernelsBeamSetUp
-  Beams/KernelsCellValues
-  Beams/KernelsLayerBeam
-  Beams/KernelsMetCells
-  Fields/ExtremeSearches
-  Fields/KernelsCorners
-  Fields/RectilinearKind
-  Fields/SegmentSources
-  Fields/UniformBandTracer
-  Fields/UniformBlending
-  Fields/UniformKind
-  Fields/UniformTracer
-  Trees/MeshBoxes
-  Trees/MeshCheck
-  Trees/MeshLeaves
-  Trees/MeshOrder
-  Trees/MeshRanges
-  Trees/MeshRuns
-  Trees/MeshTree
-  Trees/RadixSort
-  MeshTiles/ActiveLeaves
-  MeshTiles/BoxLevels
-  MeshTiles/CellCuts
-  MeshTiles/CellFolds
-  MeshTiles/CellValues
-  MeshTiles/KernelsBoxes
-  MeshTiles/KernelsMeshRays
-  MeshTiles/KernelsOutlines
-  MeshTiles/KernelsTileGrid
-  MeshTiles/PreparedCells
-  MeshTiles/PreparedLeaves
-  MeshTiles/SeenStrip
-  MeshFields/KernelsDistinct
-  MeshFields/KernelsHitPlaces
-  MeshFields/KernelsSortedTetrahedra
-  MeshFields/MeshBandRays
-  MeshFields/MeshBandTracer
-  MeshFields/MeshCellSearch
-  MeshFields/MeshGradients
-  MeshFields/MeshKind
-  MeshFields/MeshPlaces
-  MeshFields/MeshSolids
-  MeshFields/MeshTracer
+  Isomap/UniformBandTracer
+  Mesh/Cells/CellPoints
+  Mesh/Cells/HexahedronRoots
+  Mesh/Cells/KernelsCellGradients
+  Mesh/Cells/KernelsHexahedra
+  Mesh/Cells/KernelsHexahedronSpans
+  Mesh/Cells/KernelsKnownTetrahedra
+  Mesh/Cells/KernelsTetrahedra
+  Mesh/Tree/MeshBoxes
+  Mesh/Tree/MeshCheck
+  Mesh/Tree/MeshLeaves
+  Mesh/Tree/MeshOrder
+  Mesh/Tree/MeshRanges
+  Mesh/Tree/MeshRuns
+  Mesh/Tree/MeshTree
+  Mesh/Tree/RadixSort
+  Mesh/Tiles/ActiveLeaves
+  Mesh/Tiles/BoxLevels
+  Mesh/Tiles/CellCuts
+  Mesh/Tiles/CellFolds
+  Mesh/Tiles/CellValues
+  Mesh/Tiles/KernelsBoxes
+  Mesh/Tiles/KernelsMeshRays
+  Mesh/Tiles/KernelsOutlines
+  Mesh/Tiles/KernelsTileGrid
+  Mesh/Tiles/PreparedCells
+  Mesh/Tiles/PreparedLeaves
+  Mesh/Tiles/SeenStrip
+  Mesh/Tracing/KernelsDistinct
+  Mesh/Tracing/KernelsHitPlaces
+  Mesh/Tracing/KernelsSortedTetrahedra
+  Mesh/Tracing/MeshBandRays
+  Mesh/Tracing/MeshBandTracer
+  Mesh/Tracing/MeshCellSearch
+  Mesh/Tracing/MeshGradients
+  Mesh/Tracing/MeshPlaces
+  Mesh/Tracing/MeshSolids
+  Mesh/Tracing/MeshTracer
+  Kinds/FieldKind
+  Kinds/MeshKind
+  Kinds/RectilinearKind
+  Kinds/UniformKind
   Render/BlendRoute
   Render/CapTiles
   Render/FrameRenderer
@@ -152,11 +120,44 @@ set(engine_files
   Render/Routes
   Render/SampleDistance
   Render/TileTracer)
-list(TRANSFORM engine_files PREPEND "${module_directory}/Engine/")
-list(TRANSFORM engine_files APPEND ".cxx")
+set(volume_files
+  Volumes/Medium/KernelsEmission
+  Volumes/Medium/KernelsVolumeSegments
+  Volumes/Medium/TransferTables
+  Volumes/Medium/VisibleBands
+  Volumes/Beams/CompositeTracer
+  Volumes/Beams/EmissionArcs
+  Volumes/Beams/KernelsCompositeBeam
+  Volumes/Samples/ComponentLooks
+  Volumes/Samples/ConvergedTracer
+  Volumes/Samples/KernelsMedium
+  Volumes/Samples/LookTables
+  Volumes/Samples/Medium
+  Volumes/Samples/MediumParts
+  Volumes/Samples/MediumTables
+  Volumes/Samples/PhongLight
+  Volumes/Samples/SampledTracer
+  Volumes/Samples/SegmentSources
+  Volumes/Samples/VisibleComponents
+  Volumes/Projections/ExtremeLook
+  Volumes/Projections/ExtremeSearches
+  Volumes/Projections/FieldProbe
+  Volumes/Projections/ImageShares
+  Volumes/Projections/KernelsExtremes
+  Volumes/Projections/KernelsShares
+  Volumes/Projections/MetValues
+  Volumes/Projections/ProjectionTracer
+  Volumes/Projections/ShareTable
+  Volumes/Projections/ShareTracer
+  Volumes/LatticeBlending)
+foreach (files IN ITEMS engine_files volume_files)
+  list(TRANSFORM ${files} PREPEND "${module_directory}/Engine/")
+  list(TRANSFORM ${files} APPEND ".cxx")
+endforeach ()
 
 set(bridge_files
   Input/BlockCopy
+  Input/CellOrigins
   Input/FieldFromImage
   Input/HiddenCellsFromImage
   Input/ImageLattice
@@ -191,7 +192,6 @@ set(bridge_files
   Adaptive/AmrMesh
   Adaptive/AmrNeighbours
   Adaptive/LeafSearch
-  Grids/CellOrigins
   Grids/CellTypes
   Grids/GridCells
   Grids/GridLeaves
@@ -208,10 +208,10 @@ set(bridge_files
   Window/LayerDepthClip
   Window/OpenGLWindow
   Window/PassOutput
+  Window/PeelPresenter
   Window/PeeledLayers
   Window/PeeledPicture
   Window/PeelingPass
-  Window/PeelPresenter
   Window/PicturePresenter
   Window/PixelHit
   Window/PixelRays
@@ -243,19 +243,22 @@ set(bridge_files
 list(TRANSFORM bridge_files PREPEND "${module_directory}/Vtk/")
 list(TRANSFORM bridge_files APPEND ".cxx")
 
-# The engine is one object library: the module and the engine's own tests are made of it.
+# The module and the engine's own tests are made of two object libraries: the engine, and its room
+# Volumes, which the rest knows by a few headers only.
+add_library(TemporalCoherenceVolumes OBJECT ${volume_files})
 add_library(TemporalCoherenceEngine OBJECT ${engine_files})
-target_compile_features(TemporalCoherenceEngine PUBLIC cxx_std_17)
-set_target_properties(TemporalCoherenceEngine PROPERTIES
-  POSITION_INDEPENDENT_CODE ON
-  CXX_VISIBILITY_PRESET hidden
-  VISIBILITY_INLINES_HIDDEN ON)
-# Vectors whose size is not known when they are compiled cannot be kept in arrays, as kernels do.
-target_compile_definitions(TemporalCoherenceEngine PUBLIC
-  "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
-target_include_directories(TemporalCoherenceEngine PUBLIC
-  "$<BUILD_INTERFACE:${module_directory}/Engine>")
-target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm hwy::hwy)
+foreach (library IN ITEMS TemporalCoherenceVolumes TemporalCoherenceEngine)
+  target_compile_features(${library} PUBLIC cxx_std_17)
+  set_target_properties(${library} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
+  # Vectors whose size is not known when they are compiled cannot be kept in arrays, as kernels do.
+  target_compile_definitions(${library} PUBLIC
+    "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
+  target_include_directories(${library} PUBLIC "$<BUILD_INTERFACE:${module_directory}/Engine>")
+  target_link_libraries(${library} PUBLIC VTK::CommonCore glm::glm hwy::hwy)
+endforeach ()
 
 vtk_module_add_module(VTK::TemporalCoherence
   SOURCES
@@ -266,6 +269,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceObjectFactory.cxx"
     "${module_directory}/vtkTemporalCoherencePaperMapper.cxx"
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
+    "${module_directory}/vtkTemporalCoherenceStatistics.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperInternals.cxx"
@@ -275,6 +279,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceVolumeMapperStatistics.cxx"
     ${bridge_files}
     $<TARGET_OBJECTS:TemporalCoherenceEngine>
+    $<TARGET_OBJECTS:TemporalCoherenceVolumes>
   NOWRAP_HEADERS
     "${module_directory}/vtkTemporalCoherenceCompatibility.h"
   HEADERS
@@ -283,6 +288,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceObjectFactory.h"
     "${module_directory}/vtkTemporalCoherencePaperMapper.h"
     "${module_directory}/vtkTemporalCoherencePicker.h"
+    "${module_directory}/vtkTemporalCoherenceStatistics.h"
     "${module_directory}/vtkTemporalCoherenceVolume.h"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")
 vtk_module_include(VTK::TemporalCoherence
@@ -309,5 +315,6 @@ if (PROJECT_NAME STREQUAL "vtkTemporalCoherence")
     $<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<BOOL:${TEMPORAL_COHERENCE_WARNINGS_AS_ERRORS}>>:-Werror>)
 endif ()
 target_compile_options(TemporalCoherenceEngine PRIVATE ${compile_options})
+target_compile_options(TemporalCoherenceVolumes PRIVATE ${compile_options})
 # By the module's name: that of its target differs between versions of VTK.
 vtk_module_compile_options(VTK::TemporalCoherence PRIVATE ${compile_options})

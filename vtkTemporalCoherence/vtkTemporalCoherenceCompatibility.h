@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Macros that newer versions of VTK expect in every header. They are empty if this version of VTK
- * does not have them: VTK_ABI_NAMESPACE_BEGIN and VTK_ABI_NAMESPACE_END (since 9.3) enclose all
- * declarations of VTK classes; VTK_MARSHALAUTO and VTK_MARSHALEXCLUDE (since 9.4) are hints for the
- * code that VTK generates to serialize objects.
+ * Macros that newer versions of VTK expect in every header. Versions of VTK without them get empty
+ * macros: VTK_ABI_NAMESPACE_BEGIN and VTK_ABI_NAMESPACE_END (since 9.3) enclose all declarations of
+ * VTK classes; VTK_MARSHALAUTO and VTK_MARSHALEXCLUDE (since 9.4) are hints for the code that VTK
+ * generates to serialize objects.
  */
 
 #ifndef vtkTemporalCoherenceCompatibility_h

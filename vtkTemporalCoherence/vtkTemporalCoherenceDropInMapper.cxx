@@ -52,8 +52,8 @@ vtkDataSet* vtkTemporalCoherenceDropInMapper::GetInput()
 vtkDataSet* vtkTemporalCoherenceDropInMapper::GetInput(int port)
 {
   auto* input = vtkDataSet::SafeDownCast(this->GetInputDataObject(port, 0));
-  // The superclass copies what this returns, for example in GetBoundsFromPort, and cannot bear
-  // null.
+  // The superclass copies the returned data set, for example in GetBoundsFromPort. It would crash
+  // on null.
   return input || this->GetNumberOfInputConnections(port) == 0 ? input : this->NoDataSet.Get();
 }
 

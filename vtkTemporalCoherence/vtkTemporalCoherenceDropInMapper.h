@@ -11,10 +11,9 @@
  * have. Newer versions of VTK have some of them in vtkGPUVolumeRayCastMapper, too.
  *
  * All settings of this header except SetSharedDepthTexture are stored and returned, but they do not
- * change the picture. Rays are intersected exactly, so that there is no distance between samples of
- * isosurfaces. No volume is kept on the GPU. SampleDistance is 0 at first: blended volumes are
- * sampled as densely as their pictures need. Any other distance has VTK's meaning for them.
- * These settings of vtkGPUVolumeRayCastMapper have no effect either:
+ * change the picture. There is no distance between samples: rays are intersected with isosurfaces
+ * exactly, and blended volumes are converged unless FixedStepSampling is on. No volume is kept on
+ * the GPU. These settings of vtkGPUVolumeRayCastMapper have no effect either:
  * LockSampleDistanceToInputSpacing, UseJittering, MaxMemoryInBytes, MaxMemoryFraction,
  * ReportProgress, Transfer2DYAxisArray, GlobalIlluminationReach, VolumetricScatteringBlending,
  * ComputeNormalFromOpacity, ColorRangeType, ScalarOpacityRangeType and GradientOpacityRangeType.
@@ -26,10 +25,10 @@
 #define vtkTemporalCoherenceDropInMapper_h
 
 #include "vtkGPUVolumeRayCastMapper.h"
-#include "vtkNew.h" // For an image that stands in for input
+#include "vtkNew.h" // For a stand-in for missing input
 #include "vtkTemporalCoherenceCompatibility.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
-#include "vtkVersionMacros.h"           // For what the superclass has not yet
+#include "vtkVersionMacros.h"           // For members that old superclasses lack
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
@@ -140,9 +139,9 @@ public:
 
   //@{
   /**
-   * Set/Get the number of threads of vtkFixedPointVolumeRayCastMapper. Default: that of
-   * vtkMultiThreader. No effect here: the threads are those of vtkSMPTools, and
-   * vtkSMPTools::Initialize() limits their number.
+   * Set/Get the number of threads of vtkFixedPointVolumeRayCastMapper. Default: vtkMultiThreader's
+   * number. No effect here: vtkSMPTools runs the threads, and vtkSMPTools::Initialize() limits
+   * their number.
    */
   vtkSetClampMacro(NumberOfThreads, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);

@@ -87,7 +87,7 @@ vtkTemporalCoherenceGPUVolumeRayCastMapper::vtkTemporalCoherenceGPUVolumeRayCast
 //------------------------------------------------------------------------------
 vtkTemporalCoherenceGPUVolumeRayCastMapper::~vtkTemporalCoherenceGPUVolumeRayCastMapper()
 {
-  // Others may still hold the mapper.
+  // Others may still hold the inner mapper.
   this->Isosurfaces->RemoveObserver(this->Forwarder);
   this->Forwarder->SetTarget(nullptr);
 }
@@ -133,7 +133,7 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, v
 }
 
 //------------------------------------------------------------------------------
-/// Why the superclass has to draw; empty if the isosurface mapper is ready to draw.
+/// The reason why the superclass must draw; empty if the isosurface mapper is ready to draw.
 std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
   vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -164,7 +164,7 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
 }
 
 //------------------------------------------------------------------------------
-/// Why the superclass has to draw a blend mode, whatever the volume is; empty for isosurfaces.
+/// The reason why the superclass must draw this blend mode of any volume; empty for isosurfaces.
 std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassBlends(vtkRenderer* renderer)
 {
   if (this->BlendMode == ISOSURFACE_BLEND)
@@ -212,8 +212,8 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::PrepareIsosurfaces()
 }
 
 //------------------------------------------------------------------------------
-/// Some events change what is done if they are observed: forward these only if somebody observes
-/// them.
+/// Forward these events only while this mapper has observers for them: observed events change the
+/// work of the inner mapper.
 void vtkTemporalCoherenceGPUVolumeRayCastMapper::ForwardEvents()
 {
   for (const unsigned long event : { vtkCommand::VolumeMapperRenderProgressEvent,

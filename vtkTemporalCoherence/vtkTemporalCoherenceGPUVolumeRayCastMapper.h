@@ -12,29 +12,28 @@
  *
  * vtkTemporalCoherenceVolumeMapper draws if the blend mode is ISOSURFACE_BLEND. It also draws
  * COMPOSITE_BLEND, MAXIMUM_INTENSITY_BLEND, MINIMUM_INTENSITY_BLEND, AVERAGE_INTENSITY_BLEND and
- * ADDITIVE_BLEND if BlendVolumes allows it: by default where OpenGL has no GPU. Such a picture has
- * no distance between samples; it is what VTK's mapper draws with very dense ones.
+ * ADDITIVE_BLEND if BlendVolumes allows it: by default where OpenGL has no GPU. Such a picture is
+ * converged: VTK's mapper would draw it with infinitely dense samples.
  *
  * vtkOpenGLGPUVolumeRayCastMapper draws SLICE_BLEND. It also draws
- * - of several inputs (vtkMultiVolume),
- * - in a renderer that peels volumes by depth (UseDepthPeelingForVolumes),
- * - with user-defined shaders (vtkShaderProperty),
- * - with two-dimensional transfer functions,
+ * - volumes of several inputs (vtkMultiVolume),
+ * - volumes in a renderer that peels them by depth (UseDepthPeelingForVolumes),
+ * - volumes with user-defined shaders (vtkShaderProperty),
+ * - volumes with two-dimensional transfer functions,
  * - composite volumes with UseDepthPass,
- * - with scattered light or with normals that come from the opacity (VTK >= 9.2),
- * - after RenderToImageOn(), because only its textures hold that image,
- * - if vtkTemporalCoherenceVolumeMapper refuses the input or a setting.
+ * - volumes with scattered light, or with normals from the opacity (VTK >= 9.2),
+ * - all volumes after RenderToImageOn(), because only its textures hold that image,
+ * - volumes whose input or settings vtkTemporalCoherenceVolumeMapper refuses.
  *
  * In the first frame of a renderer, and when the choice changes, one line in VTK's log (vtkLogger,
- * INFO) says which mapper draws and why. The same line is not written twice in a row. PrintSelf
- * says the same.
+ * INFO) says which mapper draws and why. No line is written twice in a row. PrintSelf says it, too.
  *
  * The environment variable VTK_TEMPORAL_COHERENCE (OFF, NO, FALSE or 0) switches this off, as does
  * TemporalCoherenceOff().
  *
  * GetIsosurfaceMapper() gives access to the settings that only vtkTemporalCoherenceVolumeMapper
  * has. Those settings of this class that affect isosurfaces are copied to it in every frame.
- * UseDepthPass is not: VTK's mapper applies it to COMPOSITE_BLEND only.
+ * UseDepthPass is not copied: VTK's mapper applies it to COMPOSITE_BLEND only.
  *
  * The events are those of vtkGPUVolumeRayCastMapper, whichever mapper draws. Observers of this
  * mapper get the errors and warnings of both.
@@ -46,7 +45,7 @@
 #ifndef vtkTemporalCoherenceGPUVolumeRayCastMapper_h
 #define vtkTemporalCoherenceGPUVolumeRayCastMapper_h
 
-#include "vtkNew.h" // For the mapper that is held
+#include "vtkNew.h" // For the inner mapper
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkRenderWindow.h" // For weak pointers to it
 #include "vtkRenderer.h"     // For weak pointers to it
@@ -90,10 +89,10 @@ public:
   //@{
   /**
    * Set/Get when vtkTemporalCoherenceVolumeMapper draws blend modes other than ISOSURFACE_BLEND.
-   * BLEND_ON_SOFTWARE_OPENGL: if OpenGL itself runs on the CPU, which is told from the name of its
-   * renderer (llvmpipe, softpipe, swrast, SWR, SwiftShader, or one with "software"). VTK's mapper
+   * BLEND_ON_SOFTWARE_OPENGL: if OpenGL itself runs on the CPU, which the name of its renderer
+   * tells (llvmpipe, softpipe, swrast, SWR, SwiftShader, or any name with "software"). VTK's mapper
    * still draws composite volumes, averages and sums with nearest interpolation, as it may take a
-   * tenth of the time. The default is that of DefaultBlendVolumes when the mapper is constructed.
+   * tenth of the time. Default: DefaultBlendVolumes at the time of construction.
    */
   vtkSetClampMacro(BlendVolumes, int, BLEND_NEVER, BLEND_ALWAYS);
   vtkGetMacro(BlendVolumes, int);
@@ -104,9 +103,9 @@ public:
 
   //@{
   /**
-   * Set/Get BlendVolumes of all mappers that are constructed from then on, as those that other
-   * mappers hold. Default: BLEND_ON_SOFTWARE_OPENGL, or what the environment variable
-   * VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES says: NEVER, SOFTWARE or ALWAYS.
+   * Set/Get the initial BlendVolumes of mappers that are constructed later, also inside of other
+   * mappers. Default: BLEND_ON_SOFTWARE_OPENGL, or the rule in the environment variable
+   * VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES: NEVER, SOFTWARE or ALWAYS.
    */
   static void SetDefaultBlendVolumes(int rule);
   static int GetDefaultBlendVolumes();
@@ -114,9 +113,8 @@ public:
 
   //@{
   /**
-   * Get the mapper that draws isosurfaces and blended volumes, and whether it drew the last frame,
-   * whatever its blend mode was. If it did, its route
-   * and its counters are those of that frame.
+   * Get the mapper that draws isosurfaces and blended volumes, and whether it drew the last frame
+   * (in any blend mode). If so, its GetStatistics() describes that frame.
    */
   vtkTemporalCoherenceVolumeMapper* GetIsosurfaceMapper();
   bool GetDrewIsosurfaces() { return this->DrawnBy == Drawer::Isosurfaces; }
@@ -130,7 +128,7 @@ public:
 
   /**
    * Get the ratio by which the input is reduced to fit into memory: 1 along each axis if
-   * isosurfaces are drawn on the CPU, or if the last frame was.
+   * isosurfaces are drawn on the CPU, or if the last frame was drawn there.
    */
   void GetReductionRatio(double ratio[3]) override;
 
@@ -172,11 +170,11 @@ private:
   vtkTypeBool TemporalCoherence;
   int BlendVolumes;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
-  bool IsSoftware = false; ///< the OpenGL of that window
+  bool IsSoftware = false; ///< the OpenGL of that window runs on the CPU
   vtkNew<vtkTemporalCoherenceVolumeMapper> Isosurfaces;
   vtkNew<vtkEventForwarderCommand> Forwarder;
   Drawer DrawnBy = Drawer::Nobody;
-  /// Who drew in each renderer when it was last logged: one may peel volumes, and another not.
+  /// The mapper that was logged last for each renderer: one may peel volumes, and another not.
   std::vector<std::pair<vtkWeakPointer<vtkRenderer>, Drawer>> Told;
   std::string Reason;
   double SuperclassTimeToDraw = 0.0;

@@ -4,9 +4,9 @@
  * @class   vtkTemporalCoherencePaperMapper
  * @brief   settings for a comparison with the paper
  *
- * This is a base class of vtkTemporalCoherenceVolumeMapper. It keeps settings that choose between
- * the method of "Accelerating Volume Visualization by Exploiting Temporal Coherence" as it was
- * published and as it is here. Applications need none of them.
+ * This is a base class of vtkTemporalCoherenceVolumeMapper. Its settings choose between the method
+ * as it was published in "Accelerating Volume Visualization by Exploiting Temporal Coherence" and
+ * as it is here. Applications need none of them.
  *
  * @sa vtkTemporalCoherenceVolumeMapper
  */
@@ -68,9 +68,9 @@ public:
 
   //@{
   /**
-   * ColorByAnswer (default: off) paints those surfaces yellow that the image cache did not help to
-   * find. It affects frames of the route ImageCache only. SpaceLeaping (default: on) skips blocks
-   * of cells that hold none of the isovalues. Without it, a ray reads every cell on its way.
+   * ColorByAnswer (default: off) paints surfaces yellow if they were found without the image cache.
+   * It affects frames of the route ImageCache only. SpaceLeaping (default: on) skips blocks of
+   * cells that hold none of the isovalues. Without it, a ray reads every cell on its way.
    */
   vtkSetMacro(ColorByAnswer, vtkTypeBool);
   vtkGetMacro(ColorByAnswer, vtkTypeBool);

@@ -35,7 +35,7 @@ vtkStandardNewMacro(vtkTemporalCoherencePicker);
 namespace
 {
 
-/// Our mapper that a mapper is or holds; null if VTK's draws.
+/// The mapper of isosurfaces: `mapper` itself or its inner mapper; null if VTK's mapper draws.
 vtkTemporalCoherenceVolumeMapper* SurfacesOf(vtkAbstractVolumeMapper* mapper)
 {
   if (auto* holder = vtkTemporalCoherenceGPUVolumeRayCastMapper::SafeDownCast(mapper))
@@ -59,8 +59,8 @@ vtkVolumeProperty* PropertyOf(vtkProp3D* prop)
   return property;
 }
 
-/// The superclass reads the active scalars of an image's points, where they lie in memory, and
-/// cannot bear mistakes. False if others are drawn.
+/// True if the superclass can read the drawn array in memory, without checks of its own: the active
+/// point scalars of an image, complete and in standard layout.
 bool CanBePickedByVtk(vtkTemporalCoherenceVolumeMapper* mapper)
 {
   auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
@@ -82,8 +82,7 @@ void PointAt(const double p1[3], const double p2[3], double share, double point[
   }
 }
 
-/// A normal of the world in the coordinates of a mapper: normals transform by the transposed
-/// inverse.
+/// A world normal in the coordinates of a mapper: normals transform by the transposed inverse.
 void NormalIn(vtkMatrix4x4* worldFromMapper, const glm::dvec3& normal, double made[3])
 {
   for (int i = 0; i < 3; ++i)
@@ -190,7 +189,7 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
 }
 
 //------------------------------------------------------------------------------
-/// Tell what was picked of the data.
+/// Set the picked data, and its picked cell and point.
 /// \param cellId of a mesh; otherwise -1
 void vtkTemporalCoherencePicker::SetPickedData(vtkDataSet* data, vtkIdType cellId)
 {
@@ -236,7 +235,7 @@ void vtkTemporalCoherencePicker::SetDataPickInfo(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-/// Take the cell of a mesh, and of its points the one that is nearest to the mapper's position.
+/// Set the picked cell of a mesh, and its point nearest to the mapper's position.
 void vtkTemporalCoherencePicker::SetCellPickInfo(vtkDataSet* data, vtkIdType cellId)
 {
   const double* at = this->MapperPosition;

@@ -4,8 +4,8 @@
  * @class   vtkTemporalCoherencePicker
  * @brief   picks the isosurface that vtkTemporalCoherenceVolumeMapper draws
  *
- * This is a vtkVolumePicker, so it can replace a vtkCellPicker or a vtkVolumePicker. If the prop's
- * mapper is a vtkTemporalCoherenceVolumeMapper, it picks the first surface on the line. That is the
+ * As a vtkVolumePicker, it can replace any vtkCellPicker or vtkVolumePicker. If the prop's mapper
+ * is a vtkTemporalCoherenceVolumeMapper, it picks the first surface on the line. That is the
  * surface that is seen there: the picker uses the isovalues with an opacity above 0, the surface
  * mode and the interpolation. No frame is needed. The same holds for a
  * vtkTemporalCoherenceGPUVolumeRayCastMapper whose last frame showed isosurfaces. Everything else
@@ -13,9 +13,9 @@
  *
  * After such a pick, PickPosition and MapperPosition lie on the surface. PickNormal and
  * MapperNormal are its normal and face the viewer. DataSet is the mapper's input or, of blocks that
- * are drawn as a mesh, the block that was hit (FlatBlockIndex). CellId, CellIJK and PCoords tell
- * where in it the surface was hit, and PointId and PointIJK are those of the nearest sample.
- * GetIsovalueIndex() tells which isovalue was hit.
+ * are drawn as a mesh, the block that was hit (FlatBlockIndex). CellId, CellIJK and PCoords locate
+ * the hit in it, and PointId and PointIJK name the nearest sample. GetIsovalueIndex() tells which
+ * isovalue was hit.
  *
  * vtkCellPicker and vtkVolumePicker cannot pick isosurfaces, because they use the scalar opacity
  * only. They read the opacity where the line passes from cell to cell, and stop where it is above
@@ -23,9 +23,9 @@
  * ends on the volume's box. VolumeOpacityIsovalue and UseVolumeGradientOpacity have no effect on
  * isosurfaces of this mapper.
  *
- * In the other blend modes, volumes are picked by the superclasses. These can only pick images of
- * which the active scalars of points are drawn; of other volumes nothing is picked. PickPixel tells
- * for any volume where the last picture begins.
+ * In the other blend modes, volumes are picked by the superclasses. These can only pick images
+ * whose active point scalars are drawn, and no other volumes. PickPixel finds the first visible
+ * place of any volume in the last picture.
  *
  * With PickCroppingPlanes or PickClippingPlanes on, the planes that crop or clip the volume are
  * picked instead of the volume, as by the superclasses.

@@ -26,7 +26,7 @@ vtkStandardNewMacro(vtkTemporalCoherenceVolumeMapper);
 namespace
 {
 
-/// The frame in a renderer's window with the most rays; without a window, in the size of the last.
+/// The frame with the most rays in a renderer's window; without a window, one of the last size.
 TemporalCoherence::FrameSight FinestSight(
   vtkTemporalCoherenceVolumeMapper& mapper, vtkRenderer* renderer, const glm::ivec2& lastSize)
 {
@@ -67,7 +67,7 @@ int vtkTemporalCoherenceVolumeMapper::FillInputPortInformation(int port, vtkInfo
     return 0;
   }
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  // What cannot be drawn is refused by the mapper, in one sentence, and not by the pipeline in two.
+  // The mapper refuses other data with one error, where the pipeline would report two.
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
@@ -109,7 +109,7 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
   }
   if (TemporalCoherence::IsPeeledAgain(volume))
   {
-    // The picture is made; the next slab of it is drawn.
+    // The picture exists; depth peeling draws its next slab.
     std::string error;
     this->Internal->Frames.Present(
       renderer, volume, TemporalCoherence::PictureSizeOf(renderer), this->GetInput(), error);
@@ -134,7 +134,7 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
       }
       if (isMade && error == lastError)
       {
-        this->Internal->LastError = lastError; // the frame was made as before, and not shown
+        this->Internal->LastError = lastError; // showing it failed as before: report that once
       }
       this->Internal->ReportOnce(error);
     }
@@ -143,19 +143,19 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkVolume* volume,
+bool vtkTemporalCoherenceVolumeMapper::MakeImage(vtkRenderer* renderer, vtkVolume* volume,
   int width, int height, vtkImageData* color, vtkImageData* depth)
 {
   return this->Internal->RenderToImages(renderer, volume, width, height, color, depth, nullptr);
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::RenderToImage(
+bool vtkTemporalCoherenceVolumeMapper::MakeImage(
   vtkRenderer* renderer, vtkVolume* volume, int width, int height, vtkImageData* frame)
 {
   if (!frame)
   {
-    this->Internal->ReportOnce("RenderToImage got null for the frame; give it a vtkImageData.");
+    this->Internal->ReportOnce("MakeImage got null for the frame; give it a vtkImageData.");
     return false;
   }
   return this->Internal->RenderToImages(renderer, volume, width, height, nullptr, nullptr, frame);
@@ -182,11 +182,11 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
                         "or render a frame before BuildIsomap.");
     return false;
   }
-  // Who asks to stop while the input is updated is heard, too.
+  // Honour abort requests that arrive during the pipeline update.
   this->SetAbortExecute(0);
   if (this->GetNumberOfInputConnections(0) > 0)
   {
-    // Nothing is built yet, whatever the pipeline says.
+    // Hide the pipeline's progress: nothing is built yet.
     const double shift = this->GetProgressShift(), scale = this->GetProgressScale();
     this->SetProgressShiftScale(shift, 0.0);
     this->Update();
@@ -226,9 +226,9 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
 }
 
 //------------------------------------------------------------------------------
-void vtkTemporalCoherenceVolumeMapper::ReleaseReuse()
+void vtkTemporalCoherenceVolumeMapper::ClearCache()
 {
-  if (this->Internal->IsBusy("ReleaseReuse"))
+  if (this->Internal->IsBusy("ClearCache"))
   {
     return;
   }

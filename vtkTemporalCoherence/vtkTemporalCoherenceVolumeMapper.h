@@ -5,23 +5,22 @@
  * @brief   ray casts volumes on the CPU and re-uses earlier frames
  *
  * This mapper draws the isosurfaces of images and of rectilinear, curvilinear (vtkStructuredGrid),
- * explicit structured, unstructured and adaptive grids, and of blocks of these. It is a
- * vtkGPUVolumeRayCastMapper and can replace one in a vtkVolume, but it needs no GPU. The isovalues
- * are those of vtkVolumeProperty::GetIsoSurfaceValues(). The property's transfer functions give
- * each surface its colour and opacity. It keeps the last frames of each viewer and does only what a
- * change requires.
+ * explicit structured, unstructured and adaptive grids, and of blocks of these. As a
+ * vtkGPUVolumeRayCastMapper, it fits any vtkVolume, but needs no GPU. The isovalues are those of
+ * vtkVolumeProperty::GetIsoSurfaceValues(). The property's transfer functions give each surface its
+ * colour and opacity. It keeps the last frames of each viewer and does only what a change requires.
  *
  * Images, rectilinear grids and blocks of images can also be blended: SetBlendModeToComposite(),
  * ToMaximumIntensity(), ToMinimumIntensity(), ToAverageIntensity() and ToAdditive(). Then no
- * isovalue is needed. A picture is what ever denser samples lead to (SetSampleDistance(0), the
- * default), and rays end at opaque props.
+ * isovalue is needed. Pictures are converged: the limit of infinitely small sample distances. Rays
+ * end at opaque props.
  *
  * Documentation/Mapper.md has the details and limits of all settings. It defines the terms that
  * are used here (such as voxel). The image cache and the isomap are those of "Accelerating Volume
  * Visualization by Exploiting Temporal Coherence".
  *
- * @sa vtkTemporalCoherenceVolume vtkTemporalCoherencePicker vtkTemporalCoherencePaperMapper
- * vtkTemporalCoherenceDropInMapper
+ * @sa vtkTemporalCoherenceVolume vtkTemporalCoherencePicker vtkTemporalCoherenceStatistics
+ * vtkTemporalCoherencePaperMapper vtkTemporalCoherenceDropInMapper
  */
 
 #ifndef vtkTemporalCoherenceVolumeMapper_h
@@ -29,6 +28,7 @@
 
 #include "vtkTemporalCoherenceModule.h" // For export macro
 #include "vtkTemporalCoherencePaperMapper.h"
+#include "vtkTemporalCoherenceStatistics.h" // For the deprecated getters
 
 #include <memory> // For std::unique_ptr
 
@@ -55,9 +55,9 @@ public:
 
   //@{
   /**
-   * Set/Get which crossings of an isovalue are drawn. CROSSING (default): the first one on a ray,
-   * in either direction. THRESHOLD, as in the paper: the first point where the field is at least
-   * the isovalue. The solid is capped wherever it is cut.
+   * Set/Get which crossings of an isovalue are drawn. CROSSING (default): the first crossing on a
+   * ray, in either direction. THRESHOLD, as in the paper: the first point where the field is at
+   * least the isovalue. The solid is capped wherever it is cut.
    */
   vtkSetClampMacro(SurfaceMode, int, CROSSING, THRESHOLD);
   vtkGetMacro(SurfaceMode, int);
@@ -74,9 +74,9 @@ public:
 
   //@{
   /**
-   * Set/Get which scalar is drawn if the array has several components. DISABLED (default): the one
-   * that the volume's property selects. MAGNITUDE: the Euclidean length of each tuple. COMPONENT:
-   * the component VectorComponent (default: 0). It is an error if there is no such component.
+   * Set/Get which scalar is drawn if the array has several components. DISABLED (default): the
+   * component that the volume's property selects. MAGNITUDE: the Euclidean length of each tuple.
+   * COMPONENT: the component VectorComponent (default: 0). A missing component is an error.
    */
   vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
   vtkGetMacro(VectorMode, int);
@@ -89,33 +89,35 @@ public:
 
   //@{
   /**
-   * Set/Get where normals of meshes come from: the gradient in the cell that is hit (off, default),
-   * which has facets, or gradients that are averaged at the points (on), which is smooth. And the
-   * most memory to set up a mesh with, in MiB. Default: 0, no limit.
+   * Set/Get two settings of meshes. SmoothMeshNormals: normals are the gradients in the cell that
+   * is hit, which shows facets (off, default), or gradients averaged at the points (on).
+   * MeshMemoryLimit: the most memory to set up a mesh, in MiB; needing more is an error. Default:
+   * 0, no limit.
    */
-  vtkSetMacro(AveragedGradients, vtkTypeBool);
-  vtkGetMacro(AveragedGradients, vtkTypeBool);
-  vtkBooleanMacro(AveragedGradients, vtkTypeBool);
+  vtkSetMacro(SmoothMeshNormals, vtkTypeBool);
+  vtkGetMacro(SmoothMeshNormals, vtkTypeBool);
+  vtkBooleanMacro(SmoothMeshNormals, vtkTypeBool);
   vtkSetClampMacro(MeshMemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MeshMemoryLimit, int);
   //@}
 
   //@{
   /**
-   * Switch the image cache on or off (default: on), and set how many images it keeps for each
-   * viewer, 1 (default) to 64. With it, frames of another time step and, unless ReuseAccuracy is
-   * EXACT, of a moved camera may start from an earlier picture. Without it, they are cold.
+   * Set/Get whether frames re-use earlier pictures (default: on), and how many pictures each viewer
+   * keeps, 1 (default) to 64. On: new opacities, new colours of a projection and another time step
+   * cost only the affected work and, unless ReuseAccuracy is EXACT, a frame of a moved camera may
+   * start from an earlier picture. Off: these frames are cold. The isomap has its own switch.
    */
-  vtkSetMacro(ImageCache, vtkTypeBool);
-  vtkGetMacro(ImageCache, vtkTypeBool);
-  vtkBooleanMacro(ImageCache, vtkTypeBool);
+  vtkSetMacro(ReuseFrames, vtkTypeBool);
+  vtkGetMacro(ReuseFrames, vtkTypeBool);
+  vtkBooleanMacro(ReuseFrames, vtkTypeBool);
   vtkSetClampMacro(NumberOfCachedImages, int, 1, 64);
   vtkGetMacro(NumberOfCachedImages, int);
   //@}
 
   enum ReuseAccuracies
   {
-    BOUNDED = 0,
+    BOUNDED = 0, ///< deprecated: means EXACT
     EXACT = 1,
     PAPER = 2 ///< for comparison with the paper; applications do not need it
   };
@@ -123,16 +125,11 @@ public:
   //@{
   /**
    * Set/Get how exact a frame is after the view has changed. EXACT (default): the cold picture,
-   * byte for byte. BOUNDED: at most 0.01 % of the pixels differ from the cold picture in the median
-   * frame, and at most 0.05 % in any frame. A pixel differs if only one picture shows a surface
-   * there, or if the surfaces are more than a voxel (the shortest edge of a cell) apart. It starts
-   * from a cached image only where that is faster, which is not where cold frames go by tile beams.
-   * PAPER: the published method; silhouettes erode a little in every frame. RefineWhenStill
-   * (default: on) makes the next frame of the view exact if this one is not.
+   * byte for byte. PAPER: the published method; silhouettes erode a little in every frame.
+   * RefineWhenStill (default: on) makes the next frame of an unchanged view exact.
    */
-  vtkSetClampMacro(ReuseAccuracy, int, BOUNDED, PAPER);
+  virtual void SetReuseAccuracy(int accuracy);
   vtkGetMacro(ReuseAccuracy, int);
-  void SetReuseAccuracyToBounded() { this->SetReuseAccuracy(BOUNDED); }
   void SetReuseAccuracyToExact() { this->SetReuseAccuracy(EXACT); }
   void SetReuseAccuracyToPaper() { this->SetReuseAccuracy(PAPER); }
   vtkSetMacro(RefineWhenStill, vtkTypeBool);
@@ -140,17 +137,21 @@ public:
   vtkBooleanMacro(RefineWhenStill, vtkTypeBool);
   //@}
 
+  /** Deprecated, to be removed in the next version: sets EXACT. */
+  void SetReuseAccuracyToBounded() { this->SetReuseAccuracy(BOUNDED); }
+
   //@{
   /**
-   * Switch the isomap on or off (default: on). With it, a new isovalue in the same view is looked
-   * up, tile by tile. Without it, it makes a cold frame. The picture is the same.
+   * Set/Get whether a new isovalue in the same view is looked up in the isomap, tile by tile (on,
+   * default), or makes a cold frame (off). The picture is the same.
    *
-   * - IsomapTolerance: the largest distance between a surface that is looked up and the exact one,
-   *   in voxels (finite). Default: 0, the cold picture byte for byte. Below 0.001 it counts as 0,
-   *   and so it does for translucent surfaces.
-   * - IsomapRange: the isovalues for which it is built at once. Default: none (lo > hi).
-   * - IsomapMemoryLimit: its memory for each viewer, in MiB. Default: 256; 0 switches it off. The
-   *   least recently used bands are dropped. Outside of the range, 32 bytes a pixel are the limit.
+   * - IsomapTolerance: the largest distance between a surface from the isomap and the exact one, in
+   *   voxels (finite). Default: 0, the cold picture byte for byte. Values below 0.001 count as 0,
+   *   and so does any value for translucent surfaces.
+   * - IsomapRange: the isovalues for which the isomap is built at once. Default: none (lo > hi).
+   * - IsomapMemoryLimit: the most memory of each viewer's isomap, in MiB. Default: 256; 0 switches
+   *   it off. The least recently used bands are dropped. Bands outside of IsomapRange take at most
+   *   32 bytes a pixel.
    */
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);
@@ -166,8 +167,9 @@ public:
   //@{
   /**
    * Set the distance between rays in windows, in pixels along each axis: 0.1 to 100, default 1. NaN
-   * is an error. AutoAdjustSampleDistances (default: off) chooses it, between the minimum (default
-   * 1) and the maximum (default 10), to fit a frame into vtkVolume::GetAllocatedRenderTime().
+   * is an error. AutoAdjustSampleDistances (default: off) chooses the distance, between the minimum
+   * (default 1) and the maximum (default 10), to fit a frame into
+   * vtkVolume::GetAllocatedRenderTime().
    */
   void SetImageSampleDistance(float pixels) override;
   void SetMinimumImageSampleDistance(float pixels) override;
@@ -175,7 +177,21 @@ public:
   //@}
 
   //@{
-  /** Warn once if all samples lie on one side of each isovalue: nothing is seen. Default: on. */
+  /**
+   * Set/Get whether blended volumes are sampled in steps of SampleDistance (in the data's
+   * coordinates), as by VTK's mappers. Off (default): pictures are converged (see above), which is
+   * also faster, and SampleDistance has no effect. On: pictures can be compared with VTK's.
+   */
+  vtkSetMacro(FixedStepSampling, vtkTypeBool);
+  vtkGetMacro(FixedStepSampling, vtkTypeBool);
+  vtkBooleanMacro(FixedStepSampling, vtkTypeBool);
+  //@}
+
+  //@{
+  /**
+   * Set/Get whether to warn once of a picture that shows nothing: because all samples lie on one
+   * side of each isovalue, or for want of visible cells. Default: on.
+   */
   vtkSetClampMacro(WarnOfIsovalues, vtkTypeBool, 0, 1);
   vtkGetMacro(WarnOfIsovalues, vtkTypeBool);
   vtkBooleanMacro(WarnOfIsovalues, vtkTypeBool);
@@ -190,9 +206,9 @@ public:
   bool BuildIsomap(vtkRenderer* renderer, vtkVolume* volume);
 
   /** Free all pictures and structures that are kept. The next frame is cold. */
-  void ReleaseReuse();
+  void ClearCache();
 
-  /** Bits that select point arrays of a frame. In parentheses: where there is no surface. */
+  /** Bits that select point arrays of a frame. In parentheses: the value without a surface. */
   enum FrameArrays
   {
     FRAME_COLOR = 1,          ///< Color: unsigned char RGBA, multiplied by alpha (0)
@@ -209,19 +225,19 @@ public:
    * @param renderer     has the camera and the lights; the volume need not be in it
    * @param volume       has the transform and the property; its mapper is not used
    * @param width,height pixels in a row, and rows, at least 1; row 0 is the bottom row
-   * @param color,depth  get the arrays Color and Depth of FrameArrays, or may be null
-   * @param frame        gets all FrameArrays
+   * @param color,depth  receive the arrays Color and Depth of FrameArrays; each may be null
+   * @param frame        receives all FrameArrays
    * @return false after an error, or if the frame was stopped. The images are then unchanged.
    */
-  bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+  bool MakeImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
     vtkImageData* color, vtkImageData* depth);
-  bool RenderToImage(
+  bool MakeImage(
     vtkRenderer* renderer, vtkVolume* volume, int width, int height, vtkImageData* frame);
   //@}
 
   /**
    * Get the last frame, whether it was made for a window or for an image.
-   * @param frame  gets these point arrays and nothing else
+   * @param frame  receives these point arrays and nothing else
    * @param arrays a sum of FrameArrays, FRAME_ALL (default), or 0, which sets the size only
    * @return false if there is no frame, or after an error. The image is then unchanged.
    */
@@ -230,7 +246,7 @@ public:
   //@{
   /**
    * Get the last frame as vtkGPUVolumeRayCastMapper gives it: RGBA bytes with colours multiplied by
-   * alpha, or depth-buffer values. The image is unchanged if there is no frame, or after an error.
+   * alpha, or depth-buffer values. Without a frame, and after an error, the image is unchanged.
    */
   void GetColorImage(vtkImageData* image) override;
   void GetDepthImage(vtkImageData* image) override;
@@ -245,27 +261,29 @@ public:
   bool GetVisibleSurface(vtkPolyData* points);
 
   /**
-   * Get what the last frame shows at a pixel; (0, 0) is at the lower left. Position and normal are
-   * in world coordinates; the normal is a unit vector and faces the viewer. Each may be null. Of a
-   * blended volume, the position is where the ray first sees anything. The normal is that of the
-   * gradient there in COMPOSITE_BLEND, else 0, as with several independent components. The index is
-   * -1.
+   * Get the surface point that the last frame shows at a pixel; (0, 0) is at the lower left.
+   * Position and normal are in world coordinates; the normal is a unit vector and faces the viewer.
+   * Each result may be null. In a blended volume, the position is the first visible place on the
+   * ray, and the index is -1. The normal is the direction of the gradient there in COMPOSITE_BLEND,
+   * else (and with several independent components) 0.
    * @return false if there is no surface, no such pixel or no frame. Nothing is written then.
    */
   bool PickPixel(int x, int y, double position[3], double normal[3], int* isovalueIndex);
 
   /**
-   * Get the cell of a mesh in which the last frame shows a surface at a pixel, and the flat index
-   * of its block, which is 0 without blocks, and may be null. Python passes a list, [0], or None.
-   * @return -1 if there is no surface or no mesh. Nothing is written then.
+   * Get the cell of a mesh whose surface the last frame shows at a pixel. block receives the flat
+   * index of the cell's block (0 without blocks), and may be null. Python passes a list, [0], or
+   * None.
+   * @return the cell's id; -1 without a surface, without a mesh, and in adaptive grids. Nothing is
+   * written then.
    */
   vtkIdType PickCell(int x, int y, unsigned int* block);
 
   /**
    * Find the first surface on the line from p1 to p2 in world coordinates. No frame is needed, and
    * the last frame is kept. The line begins at p1 as a ray does at the near plane.
-   * @param t gets the share of the way from p1 to p2 at which the surface is met, 0 to 1. The other
-   *          results are as in PickPixel(); the normal faces p1.
+   * @param t receives the place of the hit on the line, from 0 at p1 to 1 at p2. The other results
+   *          are as in PickPixel(); the normal faces p1.
    * @return false if there is no surface, or after an error. Nothing is written then.
    */
   bool IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
@@ -278,73 +296,28 @@ public:
     ROUTE_REDISPLAY,       ///< nothing changed: the last picture is shown again
     ROUTE_RESHADE,         ///< only colours, lights or shading changed: known hits are shaded again
     ROUTE_ISOMAP_LOOKUP,   ///< a new isovalue is looked up in the isomap of the view
-    ROUTE_ISOMAP_BUILD,    ///< the same, where some tiles are built or traced
-    ROUTE_IMAGE_CACHE = 6, ///< the view changed: rays start from what a cached image shows
+    ROUTE_ISOMAP_BUILD,    ///< isomap, where some tiles are built or traced
+    ROUTE_IMAGE_CACHE = 6, ///< the view changed: rays start from a cached image
     ROUTE_TIME_STEP,       ///< samples changed: pixels that no changed sample affects are copied
     ROUTE_RECOMPOSITE,     ///< only opacities changed: known layers are composited again
-    ROUTE_KEEP_VALUES = 10 ///< colours of a projection changed: what rays have met is known
+    ROUTE_KEEP_VALUES = 10 ///< only colours of a projection changed: known values are coloured
   };
 
-  //@{
-  /**
-   * Get the route of the last frame: one of Routes, or its name: Cold, Redisplay, Reshade,
-   * IsomapLookup, IsomapBuild, ImageCache, TimeStep, Recomposite or KeepValues.
-   */
-  int GetRoute();
-  const char* GetRouteAsString();
-  //@}
-
-  //@{
-  /**
-   * Get counters and times (in seconds) of the last frame, and the memory (in bytes) and the knots
-   * of its isomap. FrameTime includes the other times. After BuildIsomap(), IsomapBuildTime is its
-   * own time. Documentation/Mapper.md explains them all.
-   */
-  vtkIdType GetNumberOfRays();
-  vtkIdType GetNumberOfDefiniteHits();
-  vtkIdType GetNumberOfDefiniteMisses();
-  vtkIdType GetNumberOfPossibleHits();
-  vtkIdType GetNumberOfTracedRays();
-  vtkIdType GetNumberOfFieldSamples();
-  vtkIdType GetNumberOfLayers();
-  vtkIdType GetNumberOfMergedLayers();
-  vtkIdType GetIsomapMemory();
-  vtkIdType GetNumberOfIsomapKnots();
-  double GetFrameTime();
-  double GetTraceTime();
-  double GetQueryTime();
-  double GetIsomapBuildTime();
-  double GetShadeTime();
-  double GetPresentTime();
-  //@}
-
-  /** What the last frame had to do to set up its mesh. */
+  /** The work of the last frame to set up its mesh. */
   enum MeshSetUps
   {
     MESH_NONE,       ///< the input is no mesh
-    MESH_KEPT,       ///< nothing
-    MESH_NEW_VALUES, ///< only read new values
-    MESH_REFITTED,   ///< bound the same cells with new points
-    MESH_BUILT       ///< order new cells
+    MESH_KEPT,       ///< none
+    MESH_NEW_VALUES, ///< new values were read
+    MESH_REFITTED,   ///< points moved: boxes were fitted to the same cells
+    MESH_BUILT       ///< new cells were ordered
   };
 
-  //@{
   /**
-   * Get what the last frame had to do to set up its mesh: one of MeshSetUps, the time in seconds,
-   * and the memory of what is kept, in bytes; and whether scalars of cells were averaged to points.
-   * Curved cells (quadratic, Lagrange, Bezier) are divided into linear ones: MeshPointError bounds
-   * how far these are from the curved ones, in parts of the cell's diagonal, and MeshValueError how
-   * much values differ, in parts of their range in the cell; NaN where samples between corners are
-   * not finite. Both are 0 without curved cells: the
-   * surface in polyhedra, prisms and convex sets of points is defined as that of their parts.
+   * Get the statistics of the last frame: route, rays, times, memory. The object belongs to the
+   * mapper, and each call updates it.
    */
-  int GetMeshSetUp();
-  double GetMeshSetUpTime();
-  vtkIdType GetMeshMemory();
-  bool GetScalarsWereAveraged();
-  double GetMeshPointError();
-  double GetMeshValueError();
-  //@}
+  vtkTemporalCoherenceStatistics* GetStatistics();
 
   /** Set the data to draw without a pipeline: an image or a grid. */
   void SetInputData(vtkDataSet* data) override;
@@ -360,6 +333,59 @@ public:
    * scalar opacity between 0 and 1, and there is no gradient opacity. Blended volumes are not.
    */
   bool IsOpaque(vtkVolume* volume);
+
+  //@{
+  /**
+   * Names of version 0.2. Version 0.4 will remove them.
+   * \deprecated Call ReuseFrames, SmoothMeshNormals, ClearCache, MakeImage and GetStatistics.
+   */
+  void SetImageCache(vtkTypeBool on) { this->SetReuseFrames(on); }
+  vtkTypeBool GetImageCache() { return this->ReuseFrames; }
+  void ImageCacheOn() { this->SetReuseFrames(1); }
+  void ImageCacheOff() { this->SetReuseFrames(0); }
+  void SetAveragedGradients(vtkTypeBool on) { this->SetSmoothMeshNormals(on); }
+  vtkTypeBool GetAveragedGradients() { return this->SmoothMeshNormals; }
+  void AveragedGradientsOn() { this->SetSmoothMeshNormals(1); }
+  void AveragedGradientsOff() { this->SetSmoothMeshNormals(0); }
+  void ReleaseReuse() { this->ClearCache(); }
+  bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+    vtkImageData* color, vtkImageData* depth)
+  {
+    return this->MakeImage(renderer, volume, width, height, color, depth);
+  }
+  bool RenderToImage(
+    vtkRenderer* renderer, vtkVolume* volume, int width, int height, vtkImageData* frame)
+  {
+    return this->MakeImage(renderer, volume, width, height, frame);
+  }
+  int GetRoute() { return this->GetStatistics()->GetRoute(); }
+  const char* GetRouteAsString() { return this->GetStatistics()->GetRouteAsString(); }
+  vtkIdType GetNumberOfRays() { return this->GetStatistics()->GetNumberOfRays(); }
+  vtkIdType GetNumberOfDefiniteHits() { return this->GetStatistics()->GetNumberOfDefiniteHits(); }
+  vtkIdType GetNumberOfDefiniteMisses()
+  {
+    return this->GetStatistics()->GetNumberOfDefiniteMisses();
+  }
+  vtkIdType GetNumberOfPossibleHits() { return this->GetStatistics()->GetNumberOfPossibleHits(); }
+  vtkIdType GetNumberOfTracedRays() { return this->GetStatistics()->GetNumberOfTracedRays(); }
+  vtkIdType GetNumberOfFieldSamples() { return this->GetStatistics()->GetNumberOfFieldSamples(); }
+  vtkIdType GetNumberOfLayers() { return this->GetStatistics()->GetNumberOfLayers(); }
+  vtkIdType GetNumberOfMergedLayers() { return this->GetStatistics()->GetNumberOfMergedLayers(); }
+  vtkIdType GetIsomapMemory() { return this->GetStatistics()->GetIsomapMemory(); }
+  vtkIdType GetNumberOfIsomapKnots() { return this->GetStatistics()->GetNumberOfIsomapKnots(); }
+  double GetFrameTime() { return this->GetStatistics()->GetFrameTime(); }
+  double GetTraceTime() { return this->GetStatistics()->GetTraceTime(); }
+  double GetQueryTime() { return this->GetStatistics()->GetQueryTime(); }
+  double GetIsomapBuildTime() { return this->GetStatistics()->GetIsomapBuildTime(); }
+  double GetShadeTime() { return this->GetStatistics()->GetShadeTime(); }
+  double GetPresentTime() { return this->GetStatistics()->GetPresentTime(); }
+  int GetMeshSetUp() { return this->GetStatistics()->GetMeshSetUp(); }
+  double GetMeshSetUpTime() { return this->GetStatistics()->GetMeshSetUpTime(); }
+  vtkIdType GetMeshMemory() { return this->GetStatistics()->GetMeshMemory(); }
+  bool GetScalarsWereAveraged() { return this->GetStatistics()->GetScalarsWereAveraged(); }
+  double GetMeshPointError() { return this->GetStatistics()->GetMeshPointError(); }
+  double GetMeshValueError() { return this->GetStatistics()->GetMeshValueError(); }
+  //@}
 
   //@{
   /**
@@ -383,9 +409,9 @@ private:
   int SurfaceMode = CROSSING;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
-  vtkTypeBool AveragedGradients = 0;
+  vtkTypeBool SmoothMeshNormals = 0;
   int MeshMemoryLimit = 0;
-  vtkTypeBool ImageCache = 1;
+  vtkTypeBool ReuseFrames = 1;
   int NumberOfCachedImages = 1;
   int ReuseAccuracy = EXACT;
   vtkTypeBool RefineWhenStill = 1;
@@ -393,12 +419,13 @@ private:
   double IsomapTolerance = 0.0;
   double IsomapRange[2] = { 1.0, 0.0 };
   int IsomapMemoryLimit = 256;
+  vtkTypeBool FixedStepSampling = 0;
   vtkTypeBool WarnOfIsovalues = 1;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
   friend class vtkTemporalCoherencePicker;                 // finds cells
-  friend class vtkTemporalCoherenceGPUVolumeRayCastMapper; // asks why a frame would be refused
+  friend class vtkTemporalCoherenceGPUVolumeRayCastMapper; // asks whether a frame would be refused
 };
 VTK_ABI_NAMESPACE_END
 

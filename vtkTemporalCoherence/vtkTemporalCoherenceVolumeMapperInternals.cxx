@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How a mapper makes a frame, and what it says of it.
+// How a mapper makes a frame, with its errors and warnings.
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
 #include "Request/ViewFromRenderer.h"
@@ -21,7 +21,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-/// True if somebody wants to know how far a frame is, or may stop it.
+/// True if an observer wants the progress of a frame, or may stop it.
 bool IsHeard(vtkTemporalCoherenceVolumeMapper& mapper, vtkRenderWindow* window)
 {
   return mapper.HasObserver(vtkCommand::VolumeMapperRenderProgressEvent) ||
@@ -38,7 +38,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderForWindow(
   const double allowed = volume->GetAllocatedRenderTime();
   if (this->Self->AutoAdjustSampleDistances)
   {
-    // What is chosen can be asked for, as of other mappers, but is no modification.
+    // Publish the chosen distance without calling Modified(), as VTK's mappers do.
     this->Self->ImageSampleDistance = static_cast<float>(
       this->Distances.Choose(pixels, allowed, static_cast<double>(this->Self->ImageSampleDistance),
         { std::max<double>(
@@ -149,13 +149,13 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderToImages(vtkRenderer* re
   vtkVolume* volume, int width, int height, vtkImageData* color, vtkImageData* depth,
   vtkImageData* frame)
 {
-  if (this->IsBusy("RenderToImage"))
+  if (this->IsBusy("MakeImage"))
   {
     return false;
   }
   if (!renderer || !volume)
   {
-    this->ReportOnce("RenderToImage needs a renderer and a volume; one of them is null.");
+    this->ReportOnce("MakeImage needs a renderer and a volume; one of them is null.");
     return false;
   }
   if (width < 1 || height < 1)
@@ -166,12 +166,12 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderToImages(vtkRenderer* re
   }
   if (color && color == depth)
   {
-    this->ReportOnce("RenderToImage got the same image for colors and depths; give it two images, "
-                     "or one for the whole frame: RenderToImage(renderer, volume, width, height, "
+    this->ReportOnce("MakeImage got the same image for colors and depths; give it two images, "
+                     "or one for the whole frame: MakeImage(renderer, volume, width, height, "
                      "frame).");
     return false;
   }
-  // A request to stop counts while the input is updated, too.
+  // Honour abort requests that arrive during the pipeline update.
   this->Self->SetAbortExecute(0);
   if (this->Self->GetNumberOfInputConnections(0) > 0)
   {
@@ -185,7 +185,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderToImages(vtkRenderer* re
     this->Frames.SetPictureSize({ width, height });
     this->Learn(VTK_DOUBLE_MAX);
   }
-  // Before observers hear of it, who may draw the next one.
+  // Write the images before the end event: its observers may draw the next frame.
   std::string error;
   const bool isWritten = isMade &&
     this->Frames.WriteImages(
@@ -201,7 +201,7 @@ std::string vtkTemporalCoherenceVolumeMapper::Internals::WhyRefused(
   vtkRenderer* renderer, vtkVolume* volume)
 {
   std::string error;
-  if (!this->IsMaking) // else Render() tells
+  if (!this->IsMaking) // else Render() reports it
   {
     const glm::ivec2 size = glm::max(TemporalCoherence::PictureSizeOf(renderer), 1);
     TemporalCoherence::FrameRequest request;

@@ -12,6 +12,8 @@
 #include "Window/WindowRays.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
+#include <vtkNew.h>
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,8 +38,10 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   bool HasWarned = false;              ///< of the memory limit
   bool HasWarnedOfDivision = false;    ///< since it was fine
   bool HasWarnedOfOverlap = false;     ///< since it was fine
+  bool HasWarnedOfBounded = false;     ///< an accuracy that is removed
   TemporalCoherence::FieldSetUp SetUp; ///< of the last frame
-  bool IsMaking = false;               ///< a frame or an isomap, while observers may call anything
+  vtkNew<vtkTemporalCoherenceStatistics> Statistics;
+  bool IsMaking = false; ///< a frame or an isomap, while observers may call anything
 
   /// Sets IsMaking for as long as it lives.
   class Busy
@@ -56,7 +60,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     Internals& Of;
   };
 
-  /// Progress that a mesh which has to be set up shares with what follows: half and half.
+  /// Progress of the whole work. If a mesh is set up first, that takes the first half.
   class SharedProgress
   {
   public:
@@ -87,17 +91,17 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   bool MakeRequest(vtkVolume* volume, const TemporalCoherence::FrameSight& sight,
     SharedProgress& progress, TemporalCoherence::FrameRequest& request, std::string& error);
 
-  /// End the rays of a blended volume at what the window shows.
+  /// End the rays of a blended volume at the opaque props in the window.
   /// \return false if there is not enough memory
   static bool EndAtOpaqueProps(vtkRenderer* renderer, vtkVolume* volume,
     TemporalCoherence::FrameRequest& request, std::string& error);
 
-  /// Make a frame for a window, as coarse or as fine as is wished.
+  /// Make a frame for a window, at the mapper's distance between rays.
   /// \return false if it is not made
   bool RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
 
   /// Make a frame and write it into images, any of which may be null.
-  /// \param frame gets all arrays
+  /// \param frame receives all arrays
   bool RenderToImages(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
     vtkImageData* color, vtkImageData* depth, vtkImageData* frame);
 
@@ -106,7 +110,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     vtkRenderWindow* window);
 
-  /// The first surface on a line, and of which cell of the input it is.
+  /// The first surface on a line, and the input's cell that contains it.
   struct FoundOnLine
   {
     TemporalCoherence::LineHit Hit;
@@ -114,43 +118,42 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     TemporalCoherence::CellOrigin Cell;
   };
 
-  /// Find the first surface on a line in the world, for IntersectWithLine. What is wrong is
-  /// reported.
+  /// Find the first surface on a line in the world, for IntersectWithLine. Mistakes are reported.
   std::optional<FoundOnLine> FindOnLine(vtkVolume* volume, const double p1[3], const double p2[3]);
 
-  /// True if input, settings and property are without mistakes. What is wrong is reported.
+  /// True if input, settings and property have no mistakes. Mistakes are reported.
   bool CanDraw(vtkVolume* volume);
 
-  /// What the error of a frame for a window would be; empty if it can be made.
+  /// The error that a frame for a window would report; empty if it can be made.
   std::string WhyRefused(vtkRenderer* renderer, vtkVolume* volume);
 
-  /// True, with an error, if a frame or an isomap is being made: what it is made with must stay.
+  /// True while a frame or an isomap is made: its inputs must not change. Then reports an error.
   bool IsBusy(const char* method);
 
   /// False if the window, which may be null, asks to stop.
   static bool MayGoOn(vtkRenderWindow* window);
 
-  /// A frame begins: observers may change settings, but not begin another one.
+  /// Announce a frame. Observers may change settings, but not begin another frame.
   void TellStart();
 
-  /// Report an error, if there is one, other than the last.
+  /// Report an error unless it is empty or was reported last.
   void ReportOnce(const std::string& error);
 
-  /// Warn once if curved cells are divided into too few cells.
+  /// Warn once if curved cells are divided too coarsely, or if concave ones are drawn too large.
   void WarnOfDivision();
 
-  /// What keeps curved cells from being divided further, and what to do about it.
+  /// The reason why curved cells are not divided further, and its remedy.
   std::string ReasonOf(TemporalCoherence::DivisionLimit limit) const;
 
-  /// Say a warning, if there is one.
+  /// Show a warning unless it is empty.
   void Warn(const std::string& warning);
   void WarnOfIsomapLimit(bool isTooLarge);
 
-  /// Set a setting to the nearest value that it may have. What is no number is an error.
+  /// Set a setting to a value, clamped to [low, high]. NaN is an error.
   template <typename T>
   void SetWithin(const char* name, T value, double low, double high, T& setting);
 
-  /// The warning about the last frame, if it is empty for no good reason; empty if there is none.
+  /// The warning about a last frame that shows nothing, with the reason; an empty string for none.
   std::string CheckPicture(
     const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameRequest& request)
   {
@@ -166,7 +169,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
       : std::string();
   }
 
-  /// Learn how long rays take, if the last frame traced or looked up most of them for all surfaces.
+  /// Learn the time of a ray, unless the last frame only showed known hits or values again.
   void Learn(double allowed)
   {
     const TemporalCoherence::FrameStatistics& last = this->Frames.Statistics();
@@ -175,7 +178,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
       last.Made != TemporalCoherence::Route::Recomposite &&
       last.Made != TemporalCoherence::Route::KeepValues)
     {
-      // Without the isomap, which the next frames in the view need not build again.
+      // Not the time to build the isomap: the next frames in the view need not build it again.
       this->Distances.Learn(
         this->Frames.LastSize(), last.FrameTime - last.IsomapBuildTime, allowed);
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Settings that have to be finite numbers.
+// Settings that are checked: numbers that have to be finite, and values that are deprecated.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
@@ -16,7 +16,7 @@ template <typename T>
 void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
   const char* name, T value, double low, double high, T& setting)
 {
-  // A distance beyond its range is moved to its end. A tolerance has no end.
+  // A distance is clamped to its range, so infinity is valid. A tolerance has no upper limit.
   if (std::isnan(value) || (std::isinf(value) && !(high < VTK_DOUBLE_MAX)))
   {
     std::ostringstream what;
@@ -38,6 +38,23 @@ void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
   {
     setting = value;
     this->Self->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetReuseAccuracy(int accuracy)
+{
+  if (accuracy == BOUNDED && !this->Internal->HasWarnedOfBounded)
+  {
+    this->Internal->HasWarnedOfBounded = true;
+    vtkWarningMacro(<< "ReuseAccuracy BOUNDED is removed and counts as EXACT: call "
+                       "SetReuseAccuracyToExact() instead.");
+  }
+  const int known = accuracy < PAPER ? EXACT : PAPER;
+  if (known != this->ReuseAccuracy)
+  {
+    this->ReuseAccuracy = known;
+    this->Modified();
   }
 }
 

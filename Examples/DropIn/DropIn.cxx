@@ -38,7 +38,7 @@ int main(int argc, char* argv[])
 
   // With a render window, vtkRenderWindow::Render() draws it as any volume; without one:
   vtkNew<vtkImageData> picture;
-  const bool isDrawn = mapper->RenderToImage(renderer, volume, 512, 512, picture, nullptr);
+  const bool isDrawn = mapper->MakeImage(renderer, volume, 512, 512, picture, nullptr);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture);
   writer->SetFileName("dropin.png");

@@ -15,7 +15,7 @@
 Scene::Scene(const Volume& source, const IsovalueChoice& isovalue, const Options& options)
 {
   this->Mapper->SetInputDataObject(source.Data);
-  this->Mapper->AveragedGradientsOn(); // smooth normals of meshes
+  this->Mapper->SmoothMeshNormalsOn(); // smooth normals of meshes
   ShowArray(source, this->Mapper);
   if (options.ThresholdMode)
   {

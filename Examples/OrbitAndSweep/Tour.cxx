@@ -74,7 +74,7 @@ public:
   {
     vtkTemporalCoherenceVolumeMapper* mapper = this->Shown.Mapper;
     const double begin = vtkTimerLog::GetUniversalTime();
-    const bool isMade = mapper->RenderToImage(this->Shown.Renderer, this->Shown.Actor,
+    const bool isMade = mapper->MakeImage(this->Shown.Renderer, this->Shown.Actor,
       this->Asked.Width, this->Asked.Height, this->Picture, nullptr);
     const double end = vtkTimerLog::GetUniversalTime();
     if (!isMade)
@@ -83,11 +83,11 @@ public:
     }
     FrameRecord record;
     record.Change = change;
-    record.Route = mapper->GetRouteAsString();
+    record.Route = mapper->GetStatistics()->GetRouteAsString();
     record.WallMs = 1000.0 * (end - begin);
-    record.TraceMs = 1000.0 * mapper->GetTraceTime();
-    record.ShadeMs = 1000.0 * mapper->GetShadeTime();
-    record.Rays = mapper->GetNumberOfRays();
+    record.TraceMs = 1000.0 * mapper->GetStatistics()->GetTraceTime();
+    record.ShadeMs = 1000.0 * mapper->GetStatistics()->GetShadeTime();
+    record.Rays = mapper->GetStatistics()->GetNumberOfRays();
     this->Records.push_back(record);
 
     if (!caption.empty())
@@ -127,14 +127,14 @@ void RenderFirst(Tour& tour, Scene& scene, int orbitFrames)
 // are taken in several places of the tour, so that all of it meets the same load of the machine.
 void RenderWithoutReuse(Tour& tour, Scene& scene, double lastAzimuth, int frames)
 {
-  scene.Mapper->ImageCacheOff();
+  scene.Mapper->ReuseFramesOff();
   scene.Mapper->IsomapOff();
   for (int frame = 0; frame < frames; ++frame)
   {
     scene.SetAzimuth(lastAzimuth + DegreesPerFrame * (frame + 1 - frames));
     tour.Render(WithoutReuse, "", frame, frames);
   }
-  scene.Mapper->ImageCacheOn();
+  scene.Mapper->ReuseFramesOn();
   scene.Mapper->IsomapOn();
 }
 

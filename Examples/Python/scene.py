@@ -50,7 +50,7 @@ class Scene:
 
     def how(self) -> tuple[str, float]:
         """The route by which the last picture was made, and the milliseconds that it took."""
-        return self.mapper.GetRouteAsString(), 1000.0 * self.mapper.GetFrameTime()
+        return self.mapper.GetStatistics().GetRouteAsString(), 1000.0 * self.mapper.GetStatistics().GetFrameTime()
 
     def _place_camera(self, azimuth: float, size: tuple[int, int]) -> None:
         bounds = self._volume.GetBounds()

@@ -136,7 +136,7 @@ double Drawer::Draw(const Stage& stage)
   const double time = Measuring::TimeOf(
     [&]
     {
-      isDrawn = this->Mapper->RenderToImage(
+      isDrawn = this->Mapper->MakeImage(
         stage.Renderer, stage.Volume, stage.Size, stage.Size, this->Color, this->Depth);
     });
   this->CpuMs = Measuring::CpuTime() - begin;

@@ -87,7 +87,7 @@ struct Drawer
   double DrawCold(Stage& stage);
 
   /// The name of the route that made the last picture.
-  std::string Route() const { return this->Mapper->GetRouteAsString(); }
+  std::string Route() const { return this->Mapper->GetStatistics()->GetRouteAsString(); }
 
   double CpuMs = 0.0; ///< CPU time of all threads, of the last picture
 

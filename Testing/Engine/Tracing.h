@@ -6,7 +6,8 @@
 #include "Acceleration/ActiveCells.h"
 #include "Acceleration/ValueRangePyramid.h"
 #include "Grid.h"
-#include "Trace/SurfaceTracer.h"
+#include "Kinds/FieldKind.h"
+#include "Lattice/SurfaceTracer.h"
 
 #include <vector>
 
@@ -21,7 +22,7 @@ struct Tracing
     if (!grid.Field.Hidden)
     {
       this->Scene.Samples.Hidden =
-        TemporalCoherence::HiddenCells::WithoutNaN(grid.Field, this->Pyramid);
+        TemporalCoherence::HiddenCells::WithoutNaN(grid.Field, this->Pyramid.LeavesWithNaN());
     }
     this->Scene.Isosurfaces = { isovalues, mode };
     this->Scene.FiniteRange = this->Pyramid.FiniteRange();
@@ -34,7 +35,7 @@ struct Tracing
   TemporalCoherence::HitBatch Trace(const TemporalCoherence::RayBatch& rays) const
   {
     TemporalCoherence::HitBatch hits;
-    TemporalCoherence::SurfaceTracer::Make(this->Scene)->Trace(rays, hits);
+    TemporalCoherence::MakeSurfaceTracer(this->Scene)->Trace(rays, hits);
     return hits;
   }
 

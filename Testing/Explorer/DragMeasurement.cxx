@@ -128,7 +128,7 @@ void MeasureDrag(MainWindow& window, Workbench& bench, int steps)
     times.push_back(
       TimeOf(window, bench, [&] { SendMouse(window.Histogram(), QEvent::MouseMove, share); }));
     QObject::disconnect(counting);
-    ++routes[bench.Data.View.Mapper->GetRouteAsString()];
+    ++routes[bench.Data.View.Mapper->GetStatistics()->GetRouteAsString()];
     // By turns, so that what else the machine does meets both alike.
     if (step % StepsOfTurn == 0 || step == steps)
     {

@@ -51,12 +51,14 @@ void ScriptLog::Tell(const std::string& name, const std::string& value)
 void ScriptLog::TellFrame(double windowMs)
 {
   vtkTemporalCoherenceVolumeMapper* mapper = this->Bench.Data.View.Mapper;
-  const double rays = std::max(1.0, static_cast<double>(mapper->GetNumberOfRays()));
-  this->File << "frame " << ++this->Frames << " route " << mapper->GetRouteAsString()
-             << " isovalue " << *this->Bench.Data.State().Isovalue << " ms " << windowMs
-             << " mapper " << 1000.0 * mapper->GetFrameTime() << " traced "
-             << static_cast<double>(mapper->GetNumberOfTracedRays()) / rays << " isomap "
-             << mapper->GetIsomapMemory() << std::endl;
+  const double rays =
+    std::max(1.0, static_cast<double>(mapper->GetStatistics()->GetNumberOfRays()));
+  this->File << "frame " << ++this->Frames << " route "
+             << mapper->GetStatistics()->GetRouteAsString() << " isovalue "
+             << *this->Bench.Data.State().Isovalue << " ms " << windowMs << " mapper "
+             << 1000.0 * mapper->GetStatistics()->GetFrameTime() << " traced "
+             << static_cast<double>(mapper->GetStatistics()->GetNumberOfTracedRays()) / rays
+             << " isomap " << mapper->GetStatistics()->GetIsomapMemory() << std::endl;
 }
 
 void ScriptLog::TellChoices()

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// The Explorer's model: sessions are repeated, those of version 0.1 too, and settings are fitted to
+// the data.
+
 #include "ExplorerTests.h"
 
 #include "Files/FourSpheres.h"
@@ -57,7 +61,7 @@ void ExplorerTests::ASessionOfVersion01GivesTheSamePicture()
   camera->SetViewAngle(30.0);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkImageData> rgba;
-  QVERIFY(mapper->RenderToImage(renderer, actor, Width, Height, rgba, nullptr));
+  QVERIFY(mapper->MakeImage(renderer, actor, Width, Height, rgba, nullptr));
   const auto* expected = static_cast<unsigned char*>(rgba->GetScalarPointer());
   const auto* got = static_cast<unsigned char*>(picture->GetScalarPointer());
   int covered = 0;

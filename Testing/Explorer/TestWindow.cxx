@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// The Explorer's histogram, table, panels and keys change the model and show it. The keyboard alone
+// suffices, and nothing is cut off.
+
 #include "ExplorerTests.h"
 
 #include <QAbstractButton>

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// The Explorer answers while it reads and builds. Changes are undone, and what cannot be opened is
+// told.
+
 #include "ExplorerTests.h"
 
 #include <QAbstractButton>
@@ -60,8 +64,8 @@ void ExplorerTests::SettingsWaitForTheIsomap()
   this->Bench->Edit("isovalue", [](Look& look) { look.Surfaces[0].Value = 77.0; });
   QCOMPARE(*this->Bench->Data.State().Isovalue, 77.0);
   QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
-  QCOMPARE(
-    std::string(this->Bench->Data.View.Mapper->GetRouteAsString()), std::string("IsomapLookup"));
+  QCOMPARE(std::string(this->Bench->Data.View.Mapper->GetStatistics()->GetRouteAsString()),
+    std::string("IsomapLookup"));
 }
 
 void ExplorerTests::ChangesAreUndone()

@@ -37,7 +37,7 @@ void Draw(const Session& session)
     look.Surfaces[0].Value += steps * model.StepOfValues();
     model.SetSettings(look);
     model.View.Renderer->ResetCameraClippingRange();
-    model.View.Mapper->RenderToImage(model.View.Renderer, volume, Size, Size, picture, nullptr);
+    model.View.Mapper->MakeImage(model.View.Renderer, volume, Size, Size, picture, nullptr);
   }
   if (!complaint.empty())
   {

@@ -30,7 +30,7 @@ void DrawInOrbitAndSweep(const VolumeSource& source)
   for (const double degrees : { 0.0, 2.0 })
   {
     scene.SetAzimuth(degrees);
-    if (!scene.Mapper->RenderToImage(scene.Renderer, scene.Actor, Size, Size, picture, nullptr))
+    if (!scene.Mapper->MakeImage(scene.Renderer, scene.Actor, Size, Size, picture, nullptr))
     {
       throw UserError("The mapper could not draw the volume; its message above says what to do.");
     }

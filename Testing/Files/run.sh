@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Opens broken files of all formats, in C++ and in Python: see usage() below.
+# Broken files of all formats end in a picture, or in one sentence that names the file, in C++ and in
+# Python.
 set -euo pipefail
 
 usage()

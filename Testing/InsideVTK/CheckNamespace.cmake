@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
+# Classes of VTK are declared in the namespace of its binary interface.
+#
 # Where VTK's binary interface has a namespace, a class of VTK declared outside of it is another class, and
 # what uses it does not compile. Most builds of VTK have none and say nothing: here each declaration in
 # a header of the module or of its tests is compared with it.

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# From VTK's sources to the module's tests, run in a build of VTK: see usage() below.
+# Inside VTK the module builds and passes its tests.
 set -euo pipefail
 
 usage()

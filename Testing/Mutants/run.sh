@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Which small changes of the engine do the tests notice? See usage() below.
+# The tests notice small mistakes in the engine and the bridge.
 set -euo pipefail
 
 usage()

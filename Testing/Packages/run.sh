@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Make the Debian packages and use them in a Debian that has nothing else.
+# The Debian packages work in a Debian that has nothing else, and leave nothing when they are purged.
 set -euo pipefail
 
 usage()

@@ -56,10 +56,10 @@ def main():
     def raise_isovalue():
         display.Isovalues = [display.Isovalues[0] + 0.5]
 
-    display.ImageCache = 0
+    display.ReuseFrames = 0
     Render(view)
     cold = time_frames(view, turn)
-    display.ImageCache = 1
+    display.ReuseFrames = 1
     orbit = time_frames(view, turn)
     kept = resident() - empty - volume
     Render(view)

@@ -126,9 +126,9 @@ def test_settings(view, display):
         Render(view)
         return statistic(display, "Route")
 
-    display.ImageCache = 0
-    check(route_after(turn) == "Cold", "ImageCache: off, a new view is cold")
-    display.ImageCache, display.ReuseAccuracy = 1, "Exact"
+    display.ReuseFrames = 0
+    check(route_after(turn) == "Cold", "ReuseFrames: off, a new view is cold")
+    display.ReuseFrames, display.ReuseAccuracy = 1, "Exact"
     Render(view)
     turn()
     Render(view)
@@ -140,11 +140,6 @@ def test_settings(view, display):
     Render(view)
     check(statistic(display, "NumberOfTracedRays") < traced, "ReuseAccuracy: PAPER traces less than EXACT",
           f"{statistic(display, 'NumberOfTracedRays')} and {traced} rays")
-    display.ReuseAccuracy = "Bounded"
-    Render(view)
-    Render(view)
-    check(route_after(turn) == "Cold", "ReuseAccuracy: BOUNDED is cold where that is faster",
-          statistic(display, "Route"))
     display.ReuseAccuracy = "Exact"
     display.Isomap = 0
     check(route_after(lambda: setattr(display, "Isovalues", [152.0])) == "Cold",

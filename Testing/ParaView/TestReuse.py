@@ -10,13 +10,13 @@ VIEWS = 20
 
 def cold_picture(view, display, name):
     """What is shown, made from nothing."""
-    display.ImageCache = display.Isomap = 0
+    display.ReuseFrames = display.Isomap = 0
     camera = view.GetActiveCamera()
     camera.Azimuth(90.0)
     Render(view)
     camera.Azimuth(-90.0)
     picture = take_picture(view, name)
-    display.ImageCache = display.Isomap = 1
+    display.ReuseFrames = display.Isomap = 1
     return picture
 
 

@@ -52,11 +52,11 @@ class Maxima(unittest.TestCase):
         volume, renderer = scene()
         first = render(volume, renderer, SIZE).color.copy()
         second = render(volume, renderer, SIZE).color
-        self.assertEqual(volume.GetMapper().GetRouteAsString(), "Redisplay")
+        self.assertEqual(volume.GetMapper().GetStatistics().GetRouteAsString(), "Redisplay")
         numpy.testing.assert_array_equal(first, second)
         volume.GetProperty().GetScalarOpacity().AddPoint(0.0, 0.5)
         self.assertLess(render(volume, renderer, SIZE).color[..., 3].max(), 130)
-        self.assertEqual(volume.GetMapper().GetRouteAsString(), "KeepValues")
+        self.assertEqual(volume.GetMapper().GetStatistics().GetRouteAsString(), "KeepValues")
 
     def test_defaults(self):
         mapper = vtkTemporalCoherenceVolumeMapper()

@@ -84,13 +84,13 @@ class SpherePlanes(unittest.TestCase):
         color, depth = vtkImageData(), vtkImageData()
         mapper = vtkTemporalCoherenceVolumeMapper()
         mapper.SetInputData(self.volume.GetMapper().GetDataSetInput())
-        self.assertTrue(mapper.RenderToImage(self.renderer, self.volume, *SIZE, color, depth))
+        self.assertTrue(mapper.MakeImage(self.renderer, self.volume, *SIZE, color, depth))
         for image, plane in ((color, self.planes.color), (depth, self.planes.depth)):
             self.assertEqual(image.GetDimensions(), (*SIZE, 1))
             numpy.testing.assert_array_equal(
                 vtk_to_numpy(image.GetPointData().GetScalars()).ravel(), plane.ravel())
         frame = vtkImageData()
-        self.assertTrue(mapper.RenderToImage(self.renderer, self.volume, *SIZE, frame))
+        self.assertTrue(mapper.MakeImage(self.renderer, self.volume, *SIZE, frame))
         data = frame.GetPointData()
         self.assertEqual(
             [data.GetArrayName(index) for index in range(data.GetNumberOfArrays())],
@@ -154,7 +154,7 @@ class Reuse(unittest.TestCase):
     def picture(self, isovalue=None):
         if isovalue is not None:
             self.volume.GetProperty().GetIsoSurfaceValues().SetValue(0, isovalue)
-        return render(self.volume, self.renderer, SIZE), self.mapper.GetRouteAsString()
+        return render(self.volume, self.renderer, SIZE), self.mapper.GetStatistics().GetRouteAsString()
 
     def test_routes(self):
         self.assertEqual(self.picture()[1], "Cold")
@@ -167,7 +167,7 @@ class Reuse(unittest.TestCase):
         for route in ("Cold", "ImageCache"):
             self.renderer.GetActiveCamera().Azimuth(2.0)
             self.assertEqual(self.picture()[1], route)
-        self.mapper.ReleaseReuse()
+        self.mapper.ClearCache()
         self.assertEqual(self.picture()[1], "Cold")
         self.mapper.IsomapOff()
         self.assertEqual(self.picture(0.51)[1], "Cold")
@@ -183,8 +183,8 @@ class Reuse(unittest.TestCase):
             for name in ("color", "depth", "normals", "isovalue_index"):
                 numpy.testing.assert_array_equal(getattr(swept, name), getattr(cold, name), name)
         self.assertEqual(routes, ["Cold", "IsomapBuild"] + 7 * ["IsomapLookup"])
-        self.assertGreater(self.mapper.GetIsomapMemory(), 0)
-        self.assertGreater(self.mapper.GetFrameTime(), 0.0)
+        self.assertGreater(self.mapper.GetStatistics().GetIsomapMemory(), 0)
+        self.assertGreater(self.mapper.GetStatistics().GetFrameTime(), 0.0)
 
     def test_isomap_ahead_of_the_first_change(self):
         self.picture()

@@ -24,7 +24,7 @@ CLASSES = (
 CHOICES = {
     "SurfaceMode": {"Crossing": "CROSSING", "Threshold": "THRESHOLD"},
     "VectorMode": {"Disabled": "DISABLED", "Magnitude": "MAGNITUDE", "Component": "COMPONENT"},
-    "ReuseAccuracy": {"Exact": "EXACT", "Bounded": "BOUNDED", "Paper": "PAPER"},
+    "ReuseAccuracy": {"Exact": "EXACT", "Paper": "PAPER"},
     "ImageCachePolicy": {"Latest": "LATEST", "KeyImage": "KEY_IMAGE"},
     "ImageCacheShading": {"Reshade": "RESHADE", "Interpolate": "INTERPOLATE"},
     "IsomapShading": {"Reshade": "RESHADE", "Interpolate": "INTERPOLATE"},
@@ -38,8 +38,8 @@ CONSTANTS = {
     "FRAME_ALL": 31,
 }
 SWITCHES = {
-    "ImageCache": 1, "Isomap": 1, "SpaceLeaping": 1, "RefineWhenStill": 1, "ColorByAnswer": 0,
-    "AutoAdjustSampleDistances": 0, "WarnOfIsovalues": 1,
+    "ReuseFrames": 1, "SmoothMeshNormals": 0, "Isomap": 1, "SpaceLeaping": 1, "RefineWhenStill": 1, "ColorByAnswer": 0,
+    "AutoAdjustSampleDistances": 0, "FixedStepSampling": 0, "WarnOfIsovalues": 1,
 }
 NUMBERS = {
     "KeyImageInterval": (7, 3), "NumberOfCachedImages": (1, 4), "IsomapTolerance": (0.0, 0.25),
@@ -56,7 +56,7 @@ STATISTICS = (
 )
 ACTIONS = (
     "BuildIsomap", "GetLastFrame", "GetVisibleSurface", "IntersectWithLine", "PickPixel",
-    "ReleaseReuse", "RenderToImage", "IsOpaque",
+    "ClearCache", "MakeImage", "IsOpaque",
 )
 
 
@@ -107,10 +107,24 @@ class Names(unittest.TestCase):
             getattr(self.mapper, "Set" + setting)(*values)
             self.assertEqual(get(), other, setting)
 
+    def test_names_of_0_2_still_work(self):
+        for new, old in (("ReuseFrames", "ImageCache"), ("SmoothMeshNormals", "AveragedGradients")):
+            for value in (0, 1):
+                getattr(self.mapper, "Set" + old)(value)
+                self.assertEqual(getattr(self.mapper, "Get" + new)(), value, old)
+                self.assertEqual(getattr(self.mapper, "Get" + old)(), value, old)
+            getattr(self.mapper, old + "Off")()
+            self.assertEqual(getattr(self.mapper, "Get" + new)(), 0, old)
+            getattr(self.mapper, old + "On")()
+            self.assertEqual(getattr(self.mapper, "Get" + new)(), 1, old)
+        self.mapper.ReleaseReuse()
+        self.assertTrue(callable(self.mapper.RenderToImage))
+
     def test_statistics_before_the_first_frame(self):
         for name in STATISTICS:
-            self.assertEqual(getattr(self.mapper, "Get" + name)(), 0, name)
-        self.assertEqual(self.mapper.GetRouteAsString(), "Cold")
+            self.assertEqual(getattr(self.mapper.GetStatistics(), "Get" + name)(), 0, name)
+            self.assertEqual(getattr(self.mapper, "Get" + name)(), 0, "of 0.2: " + name)
+        self.assertEqual(self.mapper.GetStatistics().GetRouteAsString(), "Cold")
 
     def test_actions_are_wrapped(self):
         for name in ACTIONS:
@@ -175,7 +189,7 @@ class Imports(unittest.TestCase):
             "import sys",
             "sys.modules['numpy'] = None",
             "import vtkTemporalCoherence",
-            "print(vtkTemporalCoherence.vtkTemporalCoherenceVolumeMapper().GetRoute())",
+            "print(vtkTemporalCoherence.vtkTemporalCoherenceVolumeMapper().GetStatistics().GetRoute())",
             "try: vtkTemporalCoherence.render",
             "except ImportError as error: print(error)"),
             "0\nNumPy is missing: install it (Debian: python3-numpy).")

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Build with a sanitizer and run the tests.
+# No sanitizer reports our code: memory, undefined behaviour, data races, invalid operations, divisions
+# by zero and overflows.
 set -euo pipefail
 
 usage()

@@ -25,7 +25,7 @@ void FrameLoad::DoOnce()
   }
   ++this->Frames;
   Expect(this->Scene.Views.Render(), "frame " + std::to_string(this->Frames) + ": rendered");
-  ++this->Routes[this->Scene.Shown.Mapper->GetRouteAsString()];
+  ++this->Routes[this->Scene.Shown.Mapper->GetStatistics()->GetRouteAsString()];
   this->Features.merge(this->Scene.Features());
   if (this->Scene.Views.Pick(5) == 0)
   {

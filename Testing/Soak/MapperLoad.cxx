@@ -20,7 +20,7 @@ void MapperLoad::DoOnce()
   const auto render = [&]
   {
     Expect(scene.Render(64, 48), "rendered");
-    ++this->Routes[scene.Mapper->GetRouteAsString()];
+    ++this->Routes[scene.Mapper->GetStatistics()->GetRouteAsString()];
   };
   render();
   render();

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Everything that a suite of Debian has to pass, whatever Debian this machine has.
+# Debian 12, 13 and sid pass everything that is tested there, whatever Debian this machine has.
 set -euo pipefail
 
 usage()

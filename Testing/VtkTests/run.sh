@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# VTK's own tests of volume mappers, with ours in their place.
+# VTK's own tests of volume mappers: behind the factory VTK's pictures, byte for byte, and outlines of
+# isosurfaces within a pixel; with the name of the class changed VTK's look, or one message.
 set -euo pipefail
 
 usage()

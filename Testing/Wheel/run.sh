@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Make the Python wheel and install it in a Debian that has nothing else.
+# The Python wheel works in a Debian that has nothing else, and leaves nothing when it is uninstalled.
 set -euo pipefail
 
 usage()

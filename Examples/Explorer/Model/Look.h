@@ -83,7 +83,7 @@ struct Plane // in the world; what the normal points to is seen
 // All settings that can be undone.
 struct Look
 {
-  std::array<int, Choose::Count> Choices = { 0, 0, 0, 0, 1, 1, 1, 1, 1 }; // exact, and all re-use
+  std::array<int, Choose::Count> Choices = { 0, 0, 0, 0, 0, 1, 1, 1, 1 }; // exact, and all re-use
   std::vector<Marker> Surfaces; // one at least, once a volume is open
   std::vector<Marker> Nodes;    // in ascending order of values; two at least
   double Density = 1.0;         // of blended volumes: a hundredth of the volume is so opaque

@@ -119,7 +119,7 @@ VolumeView::Mapping VolumeView::Prepare(
   vtkNew<vtkImageData> color;
   Watched watch(mapper, vtkCommand::VolumeMapperRenderProgressEvent, progress);
   constexpr int few = 16; // pixels: what depends on the data is the same for any picture
-  mapper->RenderToImage(renderer, actor, few, few, color, nullptr);
+  mapper->MakeImage(renderer, actor, few, few, color, nullptr);
   if (watch.IsStopped)
   {
     throw UserError("Opening " + Quoted(volume.Name) + " was stopped; what was shown stays.");
@@ -207,9 +207,10 @@ void VolumeView::Apply(const Look& look)
   const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
   property->SetScalarOpacityUnitDistance(std::max(0.01 * diagonal / look.Density, 1e-30));
   this->Mapper->SetSurfaceMode(choices[Choose::Surface]);
-  this->Mapper->SetAveragedGradients(choices[Choose::Gradients] != 0);
-  this->Mapper->SetReuseAccuracy(choices[Choose::Accuracy]);
-  this->Mapper->SetImageCache(choices[Choose::ImageCache] != 0);
+  this->Mapper->SetSmoothMeshNormals(choices[Choose::Gradients] != 0);
+  this->Mapper->SetReuseAccuracy(
+    vtkTemporalCoherenceVolumeMapper::EXACT + choices[Choose::Accuracy]);
+  this->Mapper->SetReuseFrames(choices[Choose::ImageCache] != 0);
   this->Mapper->SetIsomap(choices[Choose::Isomap] != 0);
   this->Mapper->SetSpaceLeaping(choices[Choose::Leaping] != 0);
   this->Mapper->SetColorByAnswer(choices[Choose::Answers] != 0);
@@ -303,7 +304,7 @@ vtkSmartPointer<vtkImageData> VolumeView::Picture(int width, int height)
 {
   vtkNew<vtkImageData> picture;
   this->Renderer->ResetCameraClippingRange();
-  if (!this->Mapper->RenderToImage(this->Renderer, this->Actor, width, height, picture, nullptr))
+  if (!this->Mapper->MakeImage(this->Renderer, this->Actor, width, height, picture, nullptr))
   {
     throw UserError("The picture could not be made; choose a smaller size.");
   }

@@ -162,16 +162,16 @@ void vtkTemporalIsosurfaceRepresentation::TakeStatistics(vtkObject*, unsigned lo
     return;
   }
   vtkTemporalCoherenceVolumeMapper* mapper = this->GetMapper();
-  const vtkIdType route = mapper->GetRoute();
+  const vtkIdType route = mapper->GetStatistics()->GetRoute();
   this->RouteCounts->SetValue(route, this->RouteCounts->GetValue(route) + 1);
   if (this->ShowStatistics)
   {
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << mapper->GetRouteAsString() << ", "
-         << this->GetFrameMilliseconds() << " ms\n"
-         << mapper->GetNumberOfTracedRays() << " of " << mapper->GetNumberOfRays()
-         << " rays traced\nisomap " << static_cast<double>(mapper->GetIsomapMemory()) / (1 << 20)
-         << " MiB";
+    text << std::fixed << std::setprecision(1) << mapper->GetStatistics()->GetRouteAsString()
+         << ", " << this->GetFrameMilliseconds() << " ms\n"
+         << mapper->GetStatistics()->GetNumberOfTracedRays() << " of "
+         << mapper->GetStatistics()->GetNumberOfRays() << " rays traced\nisomap "
+         << static_cast<double>(mapper->GetStatistics()->GetIsomapMemory()) / (1 << 20) << " MiB";
     this->StatisticsText->SetInput(text.str().c_str());
   }
 }

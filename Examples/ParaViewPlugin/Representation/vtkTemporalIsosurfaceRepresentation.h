@@ -88,7 +88,7 @@ public:
    */
   void SetSurfaceMode(int mode);
   void SetReuseAccuracy(int accuracy);
-  void SetImageCache(bool on);
+  void SetReuseFrames(bool on);
   void SetIsomap(bool on);
   void SetIsomapTolerance(double voxels);
   void SetIsomapRange(double lowest, double highest);

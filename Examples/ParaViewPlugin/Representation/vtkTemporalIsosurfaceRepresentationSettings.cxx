@@ -155,9 +155,9 @@ void vtkTemporalIsosurfaceRepresentation::SetReuseAccuracy(int accuracy)
 }
 
 //------------------------------------------------------------------------------
-void vtkTemporalIsosurfaceRepresentation::SetImageCache(bool on)
+void vtkTemporalIsosurfaceRepresentation::SetReuseFrames(bool on)
 {
-  this->GetMapper()->SetImageCache(on);
+  this->GetMapper()->SetReuseFrames(on);
 }
 
 //------------------------------------------------------------------------------
@@ -213,43 +213,43 @@ void vtkTemporalIsosurfaceRepresentation::SetVisibility(bool visible)
 //------------------------------------------------------------------------------
 const char* vtkTemporalIsosurfaceRepresentation::GetRoute()
 {
-  return this->GetMapper()->GetRouteAsString();
+  return this->GetMapper()->GetStatistics()->GetRouteAsString();
 }
 
 //------------------------------------------------------------------------------
 double vtkTemporalIsosurfaceRepresentation::GetFrameMilliseconds()
 {
-  return 1000.0 * this->GetMapper()->GetFrameTime();
+  return 1000.0 * this->GetMapper()->GetStatistics()->GetFrameTime();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTemporalIsosurfaceRepresentation::GetNumberOfRays()
 {
-  return this->GetMapper()->GetNumberOfRays();
+  return this->GetMapper()->GetStatistics()->GetNumberOfRays();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTemporalIsosurfaceRepresentation::GetNumberOfTracedRays()
 {
-  return this->GetMapper()->GetNumberOfTracedRays();
+  return this->GetMapper()->GetStatistics()->GetNumberOfTracedRays();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTemporalIsosurfaceRepresentation::GetNumberOfDefiniteHits()
 {
-  return this->GetMapper()->GetNumberOfDefiniteHits();
+  return this->GetMapper()->GetStatistics()->GetNumberOfDefiniteHits();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTemporalIsosurfaceRepresentation::GetNumberOfPossibleHits()
 {
-  return this->GetMapper()->GetNumberOfPossibleHits();
+  return this->GetMapper()->GetStatistics()->GetNumberOfPossibleHits();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTemporalIsosurfaceRepresentation::GetIsomapMemory()
 {
-  return this->GetMapper()->GetIsomapMemory();
+  return this->GetMapper()->GetStatistics()->GetIsomapMemory();
 }
 
 //------------------------------------------------------------------------------

@@ -46,6 +46,7 @@ from .vtkTemporalCoherence import (
     vtkTemporalCoherenceObjectFactory,
     vtkTemporalCoherencePaperMapper,
     vtkTemporalCoherencePicker,
+    vtkTemporalCoherenceStatistics,
     vtkTemporalCoherenceVolume,
     vtkTemporalCoherenceVolumeMapper,
 )
@@ -65,6 +66,7 @@ __all__ = [
     "vtkTemporalCoherenceObjectFactory",
     "vtkTemporalCoherencePaperMapper",
     "vtkTemporalCoherencePicker",
+    "vtkTemporalCoherenceStatistics",
     "vtkTemporalCoherenceVolume",
     "vtkTemporalCoherenceVolumeMapper",
     *_OF_NUMPY_SUPPORT,

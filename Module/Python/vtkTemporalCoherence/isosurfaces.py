@@ -142,7 +142,7 @@ def isosurface(
         getattr(mapper, f"SetScalarModeToUse{place.capitalize()}FieldData")()
         mapper.SelectScalarArray(name)
     is_vector = _choose_component(mapper, grid, name, place, component)
-    mapper.SetAveragedGradients(smooth_shading)
+    mapper.SetSmoothMeshNormals(smooth_shading)
     mapper.SetSurfaceMode(mapper.THRESHOLD if solid else mapper.CROSSING)
 
     volume = IsosurfaceVolume()

@@ -171,7 +171,7 @@ def render(
         renderer = renderer or vtkRenderer()
         if not renderer.IsActiveCameraCreated():
             renderer.ResetCamera(volume.GetBounds())
-        is_done = mapper.RenderToImage(renderer, volume, width, height, None, None)
+        is_done = mapper.MakeImage(renderer, volume, width, height, None, None)
     errors.give_up_unless(is_done, "The picture was stopped before it was complete: call it again.")
     return planes(mapper, names)
 

@@ -31,7 +31,7 @@ public:
     this->Caster.Mapper->SetBlendMode(mode);
     if (isCold)
     {
-      this->Caster.Mapper->ImageCacheOff();
+      this->Caster.Mapper->ReuseFramesOff();
       this->Caster.Mapper->IsomapOff();
     }
   }
@@ -43,7 +43,7 @@ public:
       // A small picture takes the place of the last one.
       constexpr int small = 16;
       vtkNew<vtkImageData> color, depth;
-      this->Caster.Mapper->RenderToImage(stage.Renderer, stage.Volume, small, small, color, depth);
+      this->Caster.Mapper->MakeImage(stage.Renderer, stage.Volume, small, small, color, depth);
     }
   }
   double Draw(Stage& stage) override { return this->Caster.Draw(stage); }

@@ -52,7 +52,7 @@ class Stage:
         self.frames = 0
         self.mapper = vtkTemporalCoherence.vtkTemporalCoherenceVolumeMapper()
         self.mapper.SetInputData(image)
-        self.mapper.ImageCacheOff()
+        self.mapper.ReuseFramesOff()
         self.mapper.IsomapOff()
         if scene.is_threshold:
             self.mapper.SetSurfaceModeToThreshold()
@@ -88,10 +88,10 @@ class Stage:
         self.frames += 1
         self.renderer.GetActiveCamera().Azimuth(1e-3 if self.frames % 2 else -1e-3)
         cpu, wall = time.process_time(), time.perf_counter()
-        is_drawn = self.mapper.RenderToImage(
+        is_drawn = self.mapper.MakeImage(
             self.renderer, self.volume, self.size, self.size, self.color, self.depth)
         times = 1e3 * (time.process_time() - cpu), 1e3 * (time.perf_counter() - wall)
-        if not is_drawn or self.mapper.GetRouteAsString() != "Cold":
+        if not is_drawn or self.mapper.GetStatistics().GetRouteAsString() != "Cold":
             sys.exit("This frame should have been a cold one: mend Stage.frame().")
         return times
 

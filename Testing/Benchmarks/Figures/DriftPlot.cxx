@@ -26,13 +26,12 @@ Plots::Ticks DecadeTicks(double worst, int size)
   return ticks;
 }
 
-/// A colour for each speed, solid for PAPER and dashed for BOUNDED.
+/// A colour for each speed.
 Plots::Series LogarithmOf(const Drift::Curve& curve, int color, double none)
 {
   Plots::Series series;
-  series.Name = curve.Accuracy + ", " + Fixed(curve.Degrees, 1) + " degrees";
+  series.Name = Fixed(curve.Degrees, 1) + " degrees a frame";
   series.Color = color;
-  series.IsDashed = curve.Accuracy == "BOUNDED";
   for (std::size_t i = 0; i < curve.Frames.size(); ++i)
   {
     const double different = curve.Different[i];
@@ -48,7 +47,7 @@ void PlotDrift(const std::vector<Drift::Curve>& curves, const std::string& volum
   const std::string& path)
 {
   Plots::Chart chart;
-  chart.Title = "Drift of pictures each made from the last: " + volume;
+  chart.Title = "Drift of pictures each made from the last (PAPER): " + volume;
   chart.XTitle = "Frame";
   chart.YTitle = "Pixels that differ from the cold picture";
   double worst = 0.0;
@@ -59,7 +58,7 @@ void PlotDrift(const std::vector<Drift::Curve>& curves, const std::string& volum
   chart.YTicks = DecadeTicks(worst, size);
   for (const Drift::Curve& curve : curves)
   {
-    const int color = static_cast<int>(chart.Series.size() / 2);
+    const int color = static_cast<int>(chart.Series.size());
     chart.Series.push_back(LogarithmOf(curve, color, chart.YTicks.front().first));
   }
   Plots::Write(chart, path);

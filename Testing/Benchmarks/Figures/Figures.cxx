@@ -94,7 +94,7 @@ Average AverageTimesOf(const Subject& subject, const Technique& technique, const
   Drawer cold(stage), cached(stage);
   technique.Set(cold.Mapper);
   technique.Set(cached.Mapper);
-  cold.Mapper->ImageCacheOff();
+  cold.Mapper->ReuseFramesOff();
   cold.Draw(stage);
   cached.Draw(stage);
   std::vector<double> coldTimes, cachedTimes;
@@ -357,8 +357,9 @@ void AnswersInColor(const Settings& settings, JsonWriter& json)
     stage.Orbit(DegreesToNextPicture);
     drawer.Draw(stage);
     const double traced = 100.0 *
-      Measuring::Ratio(static_cast<double>(drawer.Mapper->GetNumberOfPossibleHits()),
-        static_cast<double>(drawer.Mapper->GetNumberOfRays()));
+      Measuring::Ratio(
+        static_cast<double>(drawer.Mapper->GetStatistics()->GetNumberOfPossibleHits()),
+        static_cast<double>(drawer.Mapper->GetStatistics()->GetNumberOfRays()));
     const std::string share = Fixed(traced, 1) + " %";
     if (subject.IsPictured)
     {

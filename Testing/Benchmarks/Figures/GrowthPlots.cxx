@@ -24,8 +24,7 @@ struct Kind
   const char* Name;
   double TypicalFrames::Times::*Time;
 };
-constexpr std::array<Kind, 3> Kinds = { { { "cold", &TypicalFrames::Times::Cold },
-  { "image cache", &TypicalFrames::Times::Cached },
+constexpr std::array<Kind, 2> Kinds = { { { "cold", &TypicalFrames::Times::Cold },
   { "isovalue looked up", &TypicalFrames::Times::Lookup } } };
 
 /// Times of the kind over doublings of the samples a side.
@@ -101,12 +100,11 @@ void SpeedUpByThreads(const std::vector<VolumeThreads>& volumes, const std::stri
   for (const auto& [name, all] : volumes)
   {
     const int color = static_cast<int>(chart.Series.size() / 2);
-    constexpr std::array<std::size_t, 2> coldAndLookup = { 0, 2 };
-    for (const std::size_t kind : coldAndLookup)
+    for (std::size_t kind = 0; kind < Kinds.size(); ++kind)
     {
       chart.Series.push_back(LineOf(name, kind, all));
       chart.Series.back().Color = color;
-      chart.Series.back().IsDashed = kind != coldAndLookup.front();
+      chart.Series.back().IsDashed = kind != 0;
     }
   }
   if (chart.Series.empty() || chart.Series.front().X.size() < 2)

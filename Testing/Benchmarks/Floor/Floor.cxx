@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Floor.h"
+#include "Kinds/FieldKind.h"
 
 #include "Acceleration/ActiveCells.h"
 #include "Acceleration/ValueRangePyramid.h"
 #include "Input/FieldFromImage.h"
 #include "KernelsFloor.h"
+#include "Lattice/RaySource.h"
+#include "Lattice/SurfaceTracer.h"
 #include "Measuring.h"
 #include "Request/ViewFromRenderer.h"
 #include "Scene/Parallel.h"
 #include "Scene/Tiles.h"
-#include "Trace/RaySource.h"
-#include "Trace/SurfaceTracer.h"
 
 #include <vtkPointData.h>
 
@@ -105,7 +106,7 @@ std::vector<Tile> FindHits(const Scene& scene, double isovalue)
   traced.Isosurfaces = surfaces;
   traced.FiniteRange = pyramid.FiniteRange();
   traced.Active = &active;
-  const auto tracer = SurfaceTracer::Make(traced);
+  const auto tracer = MakeSurfaceTracer(traced);
   const auto count = static_cast<std::size_t>(NumberOfTiles(scene.Camera.Size));
   std::vector<Tile> all(count);
   ParallelFor(static_cast<std::int64_t>(count), TileGrain,

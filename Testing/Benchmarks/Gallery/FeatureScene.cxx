@@ -78,7 +78,7 @@ Shot FeatureScene::Take(const std::string& name, const std::string& title, const
   {
     this->Room.Renderer->GetActiveCamera()->Azimuth(Degrees);
     this->Room.Photograph();
-    times.push_back(1e3 * this->Mapper->GetFrameTime());
+    times.push_back(1e3 * this->Mapper->GetStatistics()->GetFrameTime());
   }
   shot.Ms = Measuring::Median(times);
   return shot;

@@ -50,7 +50,7 @@ Shot TakeOf(const Candidate& wanted, const Candidate& instead, const std::string
   FeatureScene scene(settings, mesh, shown.Name, shown.View);
   scene.Show({ { shown.Isovalues[0], Style::Steel, 0.25 }, { shown.Isovalues[1], Style::Gold, 0.5 },
     { shown.Isovalues[2], Style::Coral, 1.0 } });
-  scene.Mapper->AveragedGradientsOn();
+  scene.Mapper->SmoothMeshNormalsOn();
   AddEdges(scene.Room, mesh);
   return scene.Take(name, title, how);
 }

@@ -83,8 +83,8 @@ Row Orbit(const std::string& file, const std::string& route, const std::string& 
 std::vector<Row> Orbits(int frames)
 {
   const std::string turned = "the camera, " + Plain(Degrees) + " degrees; ";
-  return { Orbit("cold", "Cold", turned + "`ImageCacheOff()`: nothing is known of the last frame",
-             frames, [](Mapper* mapper) { mapper->ImageCacheOff(); }),
+  return { Orbit("cold", "Cold", turned + "`ReuseFramesOff()`: nothing is known of the last frame",
+             frames, [](Mapper* mapper) { mapper->ReuseFramesOff(); }),
     Orbit("exact", "Cold", turned + "`EXACT`, the default: the cold picture, to the last bit",
       frames, [](Mapper* mapper) { mapper->SetReuseAccuracyToExact(); }),
     Orbit("paper", "ImageCache", turned + "`PAPER`, as published", frames,
@@ -98,7 +98,7 @@ std::vector<Row> Isovalues(const Scene& scene)
   const auto nothing = [](Stage&, Drawer&) {};
   const auto raiseAnew = [=](Stage& stage, Drawer& drawer, int)
   {
-    drawer.Mapper->ReleaseReuse();
+    drawer.Mapper->ClearCache();
     stage.SetIsovalue(first);
     drawer.Draw(stage);
     stage.SetIsovalue(first + stage.ShareOfRange(Step));
@@ -172,12 +172,14 @@ Result Measure(Scene& scene, const Row& row, const GallerySettings& settings, st
     const double time = drawer.Draw(stage);
     if (drawer.Route() == row.Route)
     {
-      const auto rays = static_cast<double>(drawer.Mapper->GetNumberOfRays());
+      const auto rays = static_cast<double>(drawer.Mapper->GetStatistics()->GetNumberOfRays());
       ms.push_back(time);
-      unknown.push_back(
-        100.0 * static_cast<double>(drawer.Mapper->GetNumberOfPossibleHits()) / rays);
-      traced.push_back(100.0 * static_cast<double>(drawer.Mapper->GetNumberOfTracedRays()) / rays);
-      samples.push_back(static_cast<double>(drawer.Mapper->GetNumberOfFieldSamples()) / rays);
+      unknown.push_back(100.0 *
+        static_cast<double>(drawer.Mapper->GetStatistics()->GetNumberOfPossibleHits()) / rays);
+      traced.push_back(100.0 *
+        static_cast<double>(drawer.Mapper->GetStatistics()->GetNumberOfTracedRays()) / rays);
+      samples.push_back(
+        static_cast<double>(drawer.Mapper->GetStatistics()->GetNumberOfFieldSamples()) / rays);
     }
   }
   if (ms.empty())
@@ -211,7 +213,7 @@ void Make(GallerySettings& settings, JsonWriter& json)
   }
   const PagePart part("routes");
   std::cout << subject.Name << ", isovalue " << Plain(subject.Isovalues[0]) << ", " << settings.Size
-            << " x " << settings.Size << " pixels, `RenderToImage`, medians of up to "
+            << " x " << settings.Size << " pixels, `MakeImage`, medians of up to "
             << settings.Frames << " frames:\n\n";
   const MarkdownTable table(
     { "route, and what has changed", "picture; in yellow what was not known", "ms", "possible hits",

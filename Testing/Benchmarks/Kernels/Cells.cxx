@@ -4,7 +4,7 @@
 // Rays of a tile and cells of a mesh. Each cell is about as large as the tile.
 
 #include "KernelBenchmarks.h"
-#include "Mesh/KernelsCells.h"
+#include "Mesh/Cells/KernelsCells.h"
 
 #include <memory>
 #include <random>

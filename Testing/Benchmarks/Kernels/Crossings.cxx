@@ -5,9 +5,9 @@
 
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
+#include "Lattice/KernelsCrossing.h"
+#include "Lattice/KernelsRange.h"
 #include "Scene/Difference.h"
-#include "Trace/KernelsCrossing.h"
-#include "Trace/KernelsRange.h"
 
 namespace
 {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rays of a tile, and what a cached image tells about them.
+// Rays of a tile, and where a cached image shows them.
 
 #include "ImageCache/KernelsImage.h"
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
-#include "Trace/KernelsRays.h"
+#include "Lattice/KernelsRays.h"
 
 namespace
 {
@@ -28,32 +28,6 @@ ImageProjection ProjectionOf(const View& view)
   image.RowV = 0.5 * view.Size.y * (y + w);
   image.RowZ = w;
   return image;
-}
-
-/// Surfaces as a cached picture shows them around a tile: the tile's, continued at its border.
-std::vector<GuardTile> GuardTilesOf(const Scene& scene)
-{
-  std::vector<GuardTile> tiles;
-  for (const Scene::Tile& full : scene.FullTiles)
-  {
-    GuardTile tile;
-    tile.Fine.fill(0.0f);
-    for (int y = 0; y < GuardTile::Width; ++y)
-    {
-      for (int x = 0; x < GuardTile::Width; ++x)
-      {
-        const auto ray = static_cast<std::size_t>(
-          std::clamp(x - 1, 0, TileSize - 1) + TileSize * std::clamp(y - 1, 0, TileSize - 1));
-        const auto at = static_cast<std::size_t>(x + GuardTile::Width * y);
-        const auto disparityOf = [&](double t)
-        { return static_cast<float>(full.Rays.PerDepth[ray] / t); };
-        tile.Surface[at] = disparityOf(full.Hits.Depth[ray]);
-        tile.FirstEntry[at] = disparityOf(full.Hits.FirstEntry[ray]);
-      }
-    }
-    tiles.push_back(tile);
-  }
-  return tiles;
 }
 
 }
@@ -79,17 +53,5 @@ void KernelBenchmarks::RegisterImages()
       PathBatch paths;
       RunOnTiles(state, scene.FullTiles,
         [&](const Scene::Tile& tile) { ProjectWalks(image, tile.Rays, paths); });
-    });
-  ForEachTarget("MakeGuard",
-    [](benchmark::State& state)
-    {
-      GuardRule rule;
-      rule.EdgeMargin = 1.5f;
-      rule.SmoothMargin = 0.125f;
-      rule.LargestBend = 0.25f;
-      rule.LargestGap = 1.0f;
-      rule.Spacing = 1e-3f;
-      auto tiles = GuardTilesOf(SceneOf<std::uint8_t>());
-      RunOnTiles(state, tiles, [&](GuardTile& tile) { MakeGuard(rule, tile); });
     });
 }

@@ -6,10 +6,11 @@
 #include "Acceleration/ActiveCells.h"
 #include "Acceleration/ValueRangePyramid.h"
 #include "Grid.h"
+#include "Kinds/FieldKind.h"
+#include "Lattice/RaySource.h"
+#include "Lattice/SurfaceTracer.h"
 #include "Scene/FrameKey.h"
 #include "Scene/Tiles.h"
-#include "Trace/RaySource.h"
-#include "Trace/SurfaceTracer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,9 +65,7 @@ private:
   {
     using namespace TemporalCoherence;
     const RaySource source(this->Key.View, this->Key.Transform, this->Key.Samples.Dimensions);
-    TraceScene walked = this->Scene;
-    walked.By = Traversal::Walks; // which tell first entries
-    const auto tracer = SurfaceTracer::Make(walked);
+    const auto tracer = MakeSurfaceTracer(this->Scene);
     for (std::int64_t number = 0; number < NumberOfTiles(this->Key.View.Size); ++number)
     {
       Tile tile{ number, PixelsOfTile(this->Key.View.Size, number), {}, {} };

@@ -5,6 +5,7 @@
 
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
+#include "Kinds/FieldKind.h"
 #include "Shade/KernelsGradients.h"
 #include "Shade/KernelsShading.h"
 #include "Shade/SurfaceNormal.h"
@@ -60,7 +61,8 @@ std::vector<ShadedTile> ShadedTilesOf(const KernelScene<T>& scene)
       tile.Y[ray] = at.y;
     }
     FindRays(view, tile.X, tile.Y, tile.Rays);
-    IndexGradients(QueryOf(scene), { tile.Rays, FirstSurface(), tile.Gradients });
+    KindOf(scene.Scene.Samples)
+      .FindGradients(QueryOf(scene), { tile.Rays, FirstSurface(), tile.Gradients });
     FindFacingNormals(tile.Rays, glm::dmat3(1.0), tile.Gradients, tile.Sums.Normal);
     tile.Sums.Toward = { 0.6f, 0.0f, 0.8f };
     tile.Sums.Diffuse = { 0.7f, 0.7f, 0.7f };
@@ -101,8 +103,10 @@ void RegisterGradients(const std::string& type)
       benchmark::DoNotOptimize(found);
     });
   Register<T>("IndexGradients/" + type,
-    [surfaces = FirstSurface()](ShadedTile& tile) {
-      IndexGradients(QueryOf(SceneOf<T>()), { tile.Rays, surfaces, tile.Gradients });
+    [surfaces = FirstSurface()](ShadedTile& tile)
+    {
+      KindOf(SceneOf<T>().Scene.Samples)
+        .FindGradients(QueryOf(SceneOf<T>()), { tile.Rays, surfaces, tile.Gradients });
     });
 }
 

@@ -7,7 +7,8 @@
 #include "Isomap/RangeBuild.h"
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
-#include "Trace/KernelsWalk.h"
+#include "Kinds/FieldKind.h"
+#include "Lattice/KernelsWalk.h"
 
 #include <limits>
 #include <vector>
@@ -46,8 +47,8 @@ Isomap IsomapOf(const KernelScene<T>& scene)
   constexpr double isovalue = KernelScene<T>::Isovalue;
   Isomap map;
   map.Begin(scene.Key, {});
-  const RangeBuild wanted{ scene.Key, scene.Pyramid, { isovalue - halfBand, isovalue + halfBand },
-    std::numeric_limits<std::size_t>::max(), 1 };
+  const RangeBuild wanted{ { scene.Key, scene.Pyramid, MakeBandTracer },
+    { isovalue - halfBand, isovalue + halfBand }, std::numeric_limits<std::size_t>::max(), 1 };
   bool isDropped = false;
   std::int64_t cellsRead = 0;
   BuildRange(wanted, map, {}, isDropped, cellsRead);
@@ -62,7 +63,7 @@ void RegisterFor(const std::string& type)
     [](benchmark::State& state)
     {
       KernelScene<T>& scene = SceneOf<T>();
-      const auto tracer = SurfaceTracer::Make(scene.Scene);
+      const auto tracer = MakeSurfaceTracer(scene.Scene);
       HitBatch hits;
       KernelBenchmarks::RunOnTiles(
         state, scene.FullTiles, [&](const Tile& tile) { tracer->Trace(tile.Rays, hits); });

@@ -27,21 +27,21 @@ int DirectionOf(int frame, int frames)
 
 Measures Measure(Mapper* mapper, double frameMs, double differentPixels)
 {
-  const auto rays = static_cast<double>(mapper->GetNumberOfRays());
-  const auto samples = static_cast<double>(mapper->GetNumberOfFieldSamples());
+  const auto rays = static_cast<double>(mapper->GetStatistics()->GetNumberOfRays());
+  const auto samples = static_cast<double>(mapper->GetStatistics()->GetNumberOfFieldSamples());
   const auto percentOfRays = [rays](vtkIdType some)
   { return 100.0 * Measuring::Ratio(static_cast<double>(some), rays); };
   Measures m{};
   m[FrameMs] = frameMs;
-  m[QueryMs] = 1e3 * mapper->GetQueryTime();
-  m[TraceMs] = 1e3 * mapper->GetTraceTime();
-  m[ShadeMs] = 1e3 * mapper->GetShadeTime();
-  m[DefiniteHits] = percentOfRays(mapper->GetNumberOfDefiniteHits());
-  m[DefiniteMisses] = percentOfRays(mapper->GetNumberOfDefiniteMisses());
-  m[PossibleHits] = percentOfRays(mapper->GetNumberOfPossibleHits());
+  m[QueryMs] = 1e3 * mapper->GetStatistics()->GetQueryTime();
+  m[TraceMs] = 1e3 * mapper->GetStatistics()->GetTraceTime();
+  m[ShadeMs] = 1e3 * mapper->GetStatistics()->GetShadeTime();
+  m[DefiniteHits] = percentOfRays(mapper->GetStatistics()->GetNumberOfDefiniteHits());
+  m[DefiniteMisses] = percentOfRays(mapper->GetStatistics()->GetNumberOfDefiniteMisses());
+  m[PossibleHits] = percentOfRays(mapper->GetStatistics()->GetNumberOfPossibleHits());
   m[SamplesPerRay] = Measuring::Ratio(samples, rays);
-  m[SamplesPerTracedRay] =
-    Measuring::Ratio(samples, static_cast<double>(mapper->GetNumberOfTracedRays()));
+  m[SamplesPerTracedRay] = Measuring::Ratio(
+    samples, static_cast<double>(mapper->GetStatistics()->GetNumberOfTracedRays()));
   m[DifferentPixels] = differentPixels;
   return m;
 }
@@ -103,8 +103,7 @@ const char* NameOf(Quantity quantity)
 const std::vector<Variant>& AllVariants()
 {
   static const std::vector<Variant> variants = {
-    { "cold", [](Mapper* m) { m->ImageCacheOff(); } },
-    { "BOUNDED", [](Mapper* m) { m->SetReuseAccuracyToBounded(); } },
+    { "cold", [](Mapper* m) { m->ReuseFramesOff(); } },
     { "EXACT", [](Mapper* m) { m->SetReuseAccuracyToExact(); } },
     { "PAPER", [](Mapper* m) { m->SetReuseAccuracyToPaper(); } },
     { "PAPER, interpolated",

@@ -16,37 +16,27 @@ namespace
 constexpr std::array<double, 3> AllDegrees = { 0.5, 1.0, 5.0 };
 constexpr std::array<int, 4> Milestones = { 20, 180, 360, LongRun };
 
-/// Both accuracies on one orbit, compared with the same cold pictures.
-std::array<Curve, 2> RunOrbit(Stage& stage, double degrees, int frames)
+Curve RunOrbit(Stage& stage, double degrees, int frames)
 {
-  Drawer cold(stage), paper(stage), bounded(stage);
-  cold.Mapper->ImageCacheOff();
+  Drawer cold(stage), paper(stage);
+  cold.Mapper->ReuseFramesOff();
   paper.Mapper->RefineWhenStillOff();
   paper.Mapper->SetReuseAccuracyToPaper();
-  bounded.Mapper->RefineWhenStillOff();
-  bounded.Mapper->SetReuseAccuracyToBounded();
-
-  std::array<Curve, 2> curves = { Curve{ "PAPER", degrees, {}, {} },
-    Curve{ "BOUNDED", degrees, {}, {} } };
+  Curve curve{ degrees, {}, {} };
   stage.ResetView();
   paper.Draw(stage);
-  bounded.Draw(stage);
   for (int frame = 1; frame <= frames; ++frame)
   {
     stage.Orbit(degrees);
     paper.Draw(stage);
-    bounded.Draw(stage);
-    if (frame % Stride != 0)
+    if (frame % Stride == 0)
     {
-      continue;
+      cold.Draw(stage);
+      curve.Frames.push_back(frame);
+      curve.Different.push_back(PercentDifferent(paper, cold, stage));
     }
-    cold.Draw(stage);
-    curves[0].Frames.push_back(frame);
-    curves[0].Different.push_back(PercentDifferent(paper, cold, stage));
-    curves[1].Frames.push_back(frame);
-    curves[1].Different.push_back(PercentDifferent(bounded, cold, stage));
   }
-  return curves;
+  return curve;
 }
 
 }
@@ -56,17 +46,14 @@ std::vector<Curve> Run(Stage& stage, int frames)
   std::vector<Curve> curves;
   for (const double degrees : AllDegrees)
   {
-    for (const Curve& curve : RunOrbit(stage, degrees, frames))
-    {
-      curves.push_back(curve);
-    }
+    curves.push_back(RunOrbit(stage, degrees, frames));
   }
   return curves;
 }
 
 void PrintTable(const std::vector<Curve>& curves)
 {
-  std::vector<std::string> head = { "accuracy", "degrees a frame" };
+  std::vector<std::string> head = { "degrees a frame" };
   for (const int frame : Milestones)
   {
     head.push_back("% after " + Plain(frame));
@@ -75,7 +62,7 @@ void PrintTable(const std::vector<Curve>& curves)
   const MarkdownTable table(head);
   for (const Curve& curve : curves)
   {
-    std::vector<std::string> cells = { curve.Accuracy, Plain(curve.Degrees) };
+    std::vector<std::string> cells = { Plain(curve.Degrees) };
     for (const int milestone : Milestones)
     {
       const auto at = std::find(curve.Frames.begin(), curve.Frames.end(), milestone);
@@ -95,7 +82,6 @@ void AddTo(JsonWriter& json, const std::vector<Curve>& curves)
   for (const Curve& curve : curves)
   {
     json.OpenObject();
-    json.Add("accuracy", curve.Accuracy);
     json.Add("degreesAFrame", curve.Degrees);
     json.OpenList("comparisons");
     for (std::size_t i = 0; i < curve.Frames.size(); ++i)

@@ -6,7 +6,6 @@
 #include "Report.h"
 #include "Stage.h"
 
-#include <string>
 #include <vector>
 
 /// How pictures that are made from each other, frame after frame, part from the cold ones.
@@ -16,16 +15,15 @@ namespace Drift
 constexpr int LongRun = 720; ///< frames
 constexpr int Stride = 10;   ///< frames from one comparison to the next
 
-/// One accuracy on one orbit.
+/// One orbit.
 struct Curve
 {
-  std::string Accuracy;
   double Degrees = 0.0; ///< a frame
   std::vector<int> Frames;
   std::vector<double> Different; ///< percent of the pixels at these frames
 };
 
-/// PAPER and BOUNDED over orbits of 0.5, 1 and 5 degrees a frame, always from the latest image.
+/// PAPER over orbits of 0.5, 1 and 5 degrees a frame, always from the latest image.
 std::vector<Curve> Run(Stage& stage, int frames);
 
 /// How far each curve had parted after 20, 180, 360 and 720 frames, its median and its worst.

@@ -138,19 +138,15 @@ Times MeasureFeature(Stage& stage, const Feature& feature, int frames)
   vtkVolumeProperty* property = stage.Volume->GetProperty();
   vtkNew<vtkPiecewiseFunction> before;
   before->DeepCopy(property->GetScalarOpacity());
-  Drawer cold(stage), moved(stage);
+  Drawer cold(stage);
   feature.SwitchOn(stage, cold.Mapper);
-  feature.SwitchOn(stage, moved.Mapper);
-  moved.Mapper->SetReuseAccuracyToBounded();
-  cold.Mapper->ImageCacheOff();
+  cold.Mapper->ReuseFramesOff();
   cold.Draw(stage);
-  moved.Draw(stage);
-  std::vector<double> coldTimes, movedTimes, shadedTimes;
+  std::vector<double> coldTimes, shadedTimes;
   for (int frame = 0; frame < frames; ++frame)
   {
     stage.Orbit(Degrees);
     coldTimes.push_back(cold.Draw(stage));
-    movedTimes.push_back(moved.Draw(stage));
     property->SetDiffuse(0.6 + 0.01 * (frame % 10));
     shadedTimes.push_back(cold.Draw(stage));
   }
@@ -158,8 +154,7 @@ Times MeasureFeature(Stage& stage, const Feature& feature, int frames)
   property->GetIsoSurfaceValues()->SetNumberOfContours(1);
   stage.SetIsovalue(isovalue);
   stage.ResetView();
-  return { feature.Name, Measuring::Median(coldTimes), Measuring::Median(movedTimes),
-    Measuring::Median(shadedTimes) };
+  return { feature.Name, Measuring::Median(coldTimes), Measuring::Median(shadedTimes) };
 }
 
 }

@@ -16,7 +16,6 @@ struct Times
 {
   std::string Feature;
   double Cold = 0.0;   ///< median in milliseconds of cold frames of an orbit
-  double Moved = 0.0;  ///< of the same frames with the image cache
   double Shaded = 0.0; ///< of frames in which only the light changed
 };
 

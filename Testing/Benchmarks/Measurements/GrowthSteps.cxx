@@ -37,7 +37,7 @@ Memory MeasureMemory(Stage& stage)
   stage.SetIsovalue(isovalue);
   stage.ResetView();
   memory.Reuse = ProcessMemory::Resident() - before;
-  memory.Isomap = static_cast<double>(drawer.Mapper->GetIsomapMemory());
+  memory.Isomap = static_cast<double>(drawer.Mapper->GetStatistics()->GetIsomapMemory());
   memory.Peak = isPeakOfThis ? ProcessMemory::Peak() - before : Measuring::None;
   return memory;
 }
@@ -97,15 +97,14 @@ std::vector<Step> MeasurePixels(int pixels, const Framing& framing, int frames)
 
 void PrintTimes(const std::vector<Step>& steps)
 {
-  const MarkdownTable table({ "object", "samples", "pixels", "cold", "growth", "image cache",
-    "growth", "first new isovalue", "growth", "look-up", "growth" });
+  const MarkdownTable table({ "object", "samples", "pixels", "cold", "growth", "first new isovalue",
+    "growth", "look-up", "growth" });
   const Step* last = nullptr;
   for (const Step& step : steps)
   {
     std::vector<std::string> row = BeginRow(step);
     for (double TypicalFrames::Times::*time :
-      { &TypicalFrames::Times::Cold, &TypicalFrames::Times::Cached, &TypicalFrames::Times::First,
-        &TypicalFrames::Times::Lookup })
+      { &TypicalFrames::Times::Cold, &TypicalFrames::Times::First, &TypicalFrames::Times::Lookup })
     {
       const bool isFirst = !last || last->Object != step.Object;
       row.push_back(Fixed(step.Frames.*time, 1));

@@ -39,7 +39,7 @@ public:
     , Cold(stage)
   {
     this->Beside.Volume->SetProperty(stage.Volume->GetProperty());
-    this->Cold.Mapper->ImageCacheOff();
+    this->Cold.Mapper->ReuseFramesOff();
     this->Cold.Mapper->IsomapOff();
   }
 
@@ -94,8 +94,9 @@ Steps DragOnce(Stage& stage, const Path& path)
     steps.NewTimes.push_back(cold.DrawNew(stage));
     dragged.Draw(stage);
     steps.Times.push_back(dragged.CpuMs);
-    steps.Traced += static_cast<double>(dragged.Mapper->GetNumberOfTracedRays());
-    steps.ColdTraced += static_cast<double>(cold.Last().Mapper->GetNumberOfTracedRays());
+    steps.Traced += static_cast<double>(dragged.Mapper->GetStatistics()->GetNumberOfTracedRays());
+    steps.ColdTraced +=
+      static_cast<double>(cold.Last().Mapper->GetStatistics()->GetNumberOfTracedRays());
     steps.BytesAPixel = std::max(steps.BytesAPixel, IsomapFrames::BytesAPixel(dragged, stage));
     steps.Different += AreIdentical(dragged, cold.Last()) ? 0 : 1;
     steps.ColdTimes.push_back(std::min(steps.NewTimes.back(), cold.DrawAgain(path.Isovalues[i])));

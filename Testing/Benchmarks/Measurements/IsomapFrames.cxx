@@ -34,7 +34,7 @@ double ColdTime(Stage& stage, bool spaceLeaping, int frames)
 {
   stage.ResetView();
   Drawer drawer(stage);
-  drawer.Mapper->ImageCacheOff();
+  drawer.Mapper->ReuseFramesOff();
   drawer.Mapper->SetSpaceLeaping(spaceLeaping);
   drawer.Draw(stage);
   std::vector<double> times;
@@ -80,8 +80,8 @@ void MeasureLaterSteps(Stage& stage, double isovalue, double step, int frames, T
     if (lookup.Route() == "IsomapLookup")
     {
       lookups.push_back(time);
-      traces.push_back(1e3 * lookup.Mapper->GetTraceTime());
-      shades.push_back(1e3 * lookup.Mapper->GetShadeTime());
+      traces.push_back(1e3 * lookup.Mapper->GetStatistics()->GetTraceTime());
+      shades.push_back(1e3 * lookup.Mapper->GetStatistics()->GetShadeTime());
     }
   }
   stage.SetIsovalue(isovalue);
@@ -113,12 +113,12 @@ Times Measure(Stage& stage, int frames)
 
 double BytesAPixel(const Drawer& drawer, const Stage& stage)
 {
-  return PerPixel(drawer.Mapper->GetIsomapMemory(), stage);
+  return PerPixel(drawer.Mapper->GetStatistics()->GetIsomapMemory(), stage);
 }
 
 double KnotsAPixel(const Drawer& drawer, const Stage& stage)
 {
-  return PerPixel(drawer.Mapper->GetNumberOfIsomapKnots(), stage);
+  return PerPixel(drawer.Mapper->GetStatistics()->GetNumberOfIsomapKnots(), stage);
 }
 
 }

@@ -132,7 +132,7 @@ std::vector<Times> Measure(const Subject& subject, int rounds, bool hasWindow)
     samples.back().First0 = way->Draw();
     if (way == ways.front())
     {
-      way->Memory = static_cast<double>(way->Ours()->Mapper->GetMeshMemory());
+      way->Memory = static_cast<double>(way->Ours()->Mapper->GetStatistics()->GetMeshMemory());
     }
     compared.emplace_back();
     compared.back().PercentDrawn = way->PercentDrawn();

@@ -90,7 +90,7 @@ void MeasureIsomap(Stage& stage, int frames, Times& times)
       return;
     }
     builds.push_back(time);
-    times.IsomapBytes = static_cast<double>(drawer.Mapper->GetIsomapMemory());
+    times.IsomapBytes = static_cast<double>(drawer.Mapper->GetStatistics()->GetIsomapMemory());
   }
   times.Isomap = Measuring::Median(builds);
 }

@@ -18,9 +18,9 @@ struct Column
   const char* Head;
   double Times::*Time;
 };
-constexpr std::array<Column, 5> Columns = { { { "cold", &Times::Cold },
-  { "(shade)", &Times::ColdShade }, { "image cache", &Times::Cached },
-  { "first new isovalue", &Times::First }, { "look-up", &Times::Lookup } } };
+constexpr std::array<Column, 4> Columns = { { { "cold", &Times::Cold },
+  { "(shade)", &Times::ColdShade }, { "first new isovalue", &Times::First },
+  { "look-up", &Times::Lookup } } };
 
 }
 
@@ -28,16 +28,11 @@ Times Measure(Stage& stage, int frames)
 {
   using namespace CacheFrames;
   constexpr double degrees = 2.0;
-  // Cold and BOUNDED.
-  const std::vector<Variant> variants = { AllVariants()[0], AllVariants()[1] };
-  const std::vector<Summary> orbit = Run(stage, Orbit(degrees), variants, frames);
+  const std::vector<Variant> cold = { AllVariants().front() };
+  const Summary orbit = Run(stage, Orbit(degrees), cold, frames).front();
   stage.ResetView();
   const IsomapFrames::Times step = IsomapFrames::MeasureStepUp(stage, frames);
-  // Where a frame tells nothing of the next, there are none from the image cache.
-  const double cached =
-    orbit[1].FramesFromCache < 50.0 ? Measuring::None : orbit[1].Medians[FrameMs];
-  return { orbit[0].Medians[FrameMs], orbit[0].Medians[ShadeMs], cached, orbit[1].FramesFromCache,
-    step.FirstUp, step.Lookup };
+  return { orbit.Medians[FrameMs], orbit.Medians[ShadeMs], step.FirstUp, step.Lookup };
 }
 
 MarkdownTable BeginComparison(const std::vector<std::string>& first)
@@ -67,8 +62,6 @@ void AddTo(JsonWriter& json, const Times& times)
 {
   json.Add("coldMs", times.Cold);
   json.Add("coldShadeMs", times.ColdShade);
-  json.Add("boundedMs", times.Cached);
-  json.Add("framesFromCachePercent", times.PercentFromCache);
   json.Add("firstStepUpMs", times.First);
   json.Add("lookupMs", times.Lookup);
 }

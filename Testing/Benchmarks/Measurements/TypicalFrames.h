@@ -9,19 +9,17 @@
 #include <string>
 #include <vector>
 
-/// The frames that a user waits for, in one go: a cold one, a moved camera, a new isovalue.
+/// The frames that a user waits for, in one go: a moved camera, which is cold, and a new isovalue.
 namespace TypicalFrames
 {
 
 /// Medians in milliseconds.
 struct Times
 {
-  double Cold = 0.0;             ///< an orbit of 2 degrees a frame
-  double ColdShade = 0.0;        ///< of that, shading
-  double Cached = 0.0;           ///< the same orbit, from the image cache (BOUNDED), or None
-  double PercentFromCache = 0.0; ///< of these frames
-  double First = 0.0;            ///< the first new isovalue in a view, which builds a band
-  double Lookup = 0.0;           ///< one that is looked up
+  double Cold = 0.0;      ///< an orbit of 2 degrees a frame
+  double ColdShade = 0.0; ///< of that, shading
+  double First = 0.0;     ///< the first new isovalue in a view, which builds a band
+  double Lookup = 0.0;    ///< one that is looked up
 };
 
 /// The stage comes back to its first view and isovalue.

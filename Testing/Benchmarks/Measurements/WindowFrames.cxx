@@ -52,7 +52,7 @@ RouteTimes MeasureRoute(Stage& stage, const Change& change, int frames, Drawer& 
 {
   for (auto* each : { drawer.Mapper.Get(), mapper })
   {
-    each->SetImageCache(change.HasImageCache);
+    each->SetReuseFrames(change.HasImageCache);
     each->SetReuseAccuracyToPaper(); // else nearly all views are cold
   }
   std::vector<double> images, windows, presents;
@@ -65,10 +65,10 @@ RouteTimes MeasureRoute(Stage& stage, const Change& change, int frames, Drawer& 
     {
       images.push_back(image);
     }
-    if (mapper->GetRouteAsString() == change.Route)
+    if (mapper->GetStatistics()->GetRouteAsString() == change.Route)
     {
       windows.push_back(drawn);
-      presents.push_back(1e3 * mapper->GetPresentTime());
+      presents.push_back(1e3 * mapper->GetStatistics()->GetPresentTime());
     }
   }
   return { change.Route, Measuring::Median(images), Measuring::Median(windows),

@@ -16,7 +16,7 @@ namespace WindowFrames
 struct RouteTimes
 {
   std::string Route;
-  double Image = 0.0;   ///< RenderToImage
+  double Image = 0.0;   ///< MakeImage
   double Window = 0.0;  ///< from the call of Render() until the window has drawn
   double Present = 0.0; ///< of that, the mapper's own part of showing the picture
 };

@@ -63,7 +63,7 @@ Times OursWithoutWindow(Stage& stage, const Way& way)
 {
   Times times{ "vtkTemporalCoherenceVolumeMapper, no window", true, stage.Size };
   Drawer drawer(stage);
-  drawer.Mapper->ImageCacheOff();
+  drawer.Mapper->ReuseFramesOff();
   TimeFrames(
     stage, way, [&stage](double isovalue) { stage.SetIsovalue(isovalue); },
     [&] { return drawer.Draw(stage); }, times);

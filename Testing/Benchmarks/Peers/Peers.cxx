@@ -41,7 +41,7 @@ std::function<void(double)> IsovalueOf(vtkVolume* volume)
 Peer Ours(Stage& stage)
 {
   vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;
-  mapper->ImageCacheOff();
+  mapper->ReuseFramesOff();
   const vtkSmartPointer<vtkVolume> volume = VolumeLike(stage, mapper);
   return { "vtkTemporalCoherenceVolumeMapper", volume, IsovalueOf(volume) };
 }

@@ -17,10 +17,9 @@ constexpr int UsualFrames = 12;
 bool Run(const Settings& settings, JsonWriter& json)
 {
   const int frames = settings.FramesOr(UsualFrames);
-  std::cout << "Medians in ms; moved by 2 degrees: BOUNDED, cold where that is "
-               "faster; shaded: only the light changed\n\n";
+  std::cout << "Medians in ms; cold: moved by 2 degrees; shaded: only the light changed\n\n";
   const MarkdownTable table(
-    { "volume", "isovalue", "feature", "cold", "moved", "shaded", "cold / cold without" });
+    { "volume", "isovalue", "feature", "cold", "shaded", "cold / cold without" });
   const auto measure = [&](const Volumes::Sample& volume, Stage& stage)
   {
     const std::vector<FeatureFrames::Times> all = FeatureFrames::Measure(stage, frames);
@@ -28,12 +27,10 @@ bool Run(const Settings& settings, JsonWriter& json)
     for (const FeatureFrames::Times& times : all)
     {
       table.Row({ volume.Name, Plain(volume.Isovalue), times.Feature, Fixed(times.Cold, 1),
-        Fixed(times.Moved, 1), Fixed(times.Shaded, 1),
-        Fixed(Measuring::Ratio(times.Cold, all.front().Cold), 2) });
+        Fixed(times.Shaded, 1), Fixed(Measuring::Ratio(times.Cold, all.front().Cold), 2) });
       json.OpenObject();
       json.Add("feature", times.Feature);
       json.Add("coldMs", times.Cold);
-      json.Add("movedMs", times.Moved);
       json.Add("shadedMs", times.Shaded);
       json.Close();
     }

@@ -88,7 +88,7 @@ std::vector<Way> WaysOf(const Stage& stage, const std::vector<double>& isovalues
 void Measure(Stage& stage, int frames, std::vector<Way>& ways)
 {
   Drawer drawer(stage);
-  drawer.Mapper->ImageCacheOff();
+  drawer.Mapper->ReuseFramesOff();
   drawer.Mapper->IsomapOff();
   for (int frame = 0; frame <= frames; ++frame)
   {
@@ -98,8 +98,9 @@ void Measure(Stage& stage, int frames, std::vector<Way>& ways)
       if (frame > 0)
       {
         way.Times.push_back(time);
-        way.Layers += static_cast<double>(
-          way.Peer ? way.Peer->NumberOfLayers() : drawer.Mapper->GetNumberOfLayers());
+        way.Layers +=
+          static_cast<double>(way.Peer ? way.Peer->NumberOfLayers()
+                                       : drawer.Mapper->GetStatistics()->GetNumberOfLayers());
       }
     }
     stage.Orbit(Degrees);

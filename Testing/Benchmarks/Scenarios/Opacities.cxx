@@ -60,7 +60,7 @@ Slide Measure(Stage& stage, Drawer& drawer, int steps)
   {
     SetOpacity(stage, opacity);
     const double time = drawer.Draw(stage);
-    const auto rays = static_cast<double>(drawer.Mapper->GetNumberOfTracedRays());
+    const auto rays = static_cast<double>(drawer.Mapper->GetStatistics()->GetNumberOfTracedRays());
     stage.Volume->GetProperty()->SetDiffuse(0.6 + 0.01 * (++light % 2));
     slide.New.push_back(time);
     slide.Shaded.push_back(drawer.Draw(stage));
@@ -78,7 +78,7 @@ Slide Measure(Stage& stage, Drawer& drawer, int steps)
 /// The same opacities, each by a frame that re-uses nothing.
 double MeasureCold(Stage& stage, Drawer& drawer, int steps)
 {
-  drawer.Mapper->ImageCacheOff();
+  drawer.Mapper->ReuseFramesOff();
   drawer.Mapper->IsomapOff();
   std::vector<double> cold;
   for (const double opacity : SliderOf(steps))

@@ -48,17 +48,17 @@ double HitsOf(const Drawer& drawer)
 void TimeColdFrames(Stage& stage, Drawer& drawer, int frames, Times& times)
 {
   times.First = drawer.Draw(stage);
-  drawer.Mapper->ImageCacheOff();
+  drawer.Mapper->ReuseFramesOff();
   std::vector<double> cold, nanoseconds, trace, shade;
   for (int i = 0; i < frames; ++i)
   {
     stage.Orbit(2.0);
     cold.push_back(drawer.Draw(stage));
     nanoseconds.push_back(1e6 * drawer.CpuMs / std::max(HitsOf(drawer), 1.0));
-    trace.push_back(1e3 * drawer.Mapper->GetTraceTime());
-    shade.push_back(1e3 * drawer.Mapper->GetShadeTime());
+    trace.push_back(1e3 * drawer.Mapper->GetStatistics()->GetTraceTime());
+    shade.push_back(1e3 * drawer.Mapper->GetStatistics()->GetShadeTime());
   }
-  drawer.Mapper->ImageCacheOn();
+  drawer.Mapper->ReuseFramesOn();
   times.Cold = Median(cold);
   times.ColdNsPerHit = *std::min_element(nanoseconds.begin(), nanoseconds.end());
   times.Trace = Median(trace);
@@ -91,7 +91,7 @@ void TimeStillFrames(Stage& stage, Drawer& drawer, int frames, Times& times)
 void TimePlainFrames(Stage& stage, Drawer& drawer, Times& times)
 {
   drawer.Mapper->SpaceLeapingOff();
-  drawer.Mapper->ImageCacheOff();
+  drawer.Mapper->ReuseFramesOff();
   std::vector<double> plain;
   for (int i = 0; i < PlainFrames; ++i)
   {

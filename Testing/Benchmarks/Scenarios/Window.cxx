@@ -40,8 +40,8 @@ bool Run(const Settings& settings, JsonWriter& json)
   const int frames = settings.FramesOr(UsualFrames);
   std::cout << "Medians in ms; window: Render() until all is drawn, showing being the mapper's own "
                "part of it; any picture: a vtkImageActor\n\n";
-  const MarkdownTable table({ "volume", "isovalue", "route", "RenderToImage", "window", "(showing)",
-    "window - RenderToImage", "any picture", "window / any picture" });
+  const MarkdownTable table({ "volume", "isovalue", "route", "MakeImage", "window", "(showing)",
+    "window - MakeImage", "any picture", "window / any picture" });
   const auto measure = [&](const Volumes::Sample& volume, Stage& stage)
   {
     const WindowFrames::Times times = WindowFrames::Measure(stage, frames);

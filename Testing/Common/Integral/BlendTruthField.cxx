@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Integral/BlendTruthField.h"
 
-#include "Acceleration/HiddenCells.h"
+#include "Scene/HiddenCells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -35,7 +35,7 @@ inline void OpenWindow(vtkRenderWindow* window, vtkRenderer* renderer, int width
 }
 
 /// Count the pixels of a black window that differ by more than 1/255 from the scene's last
-/// RenderToImage at (left, below); and the hits.
+/// MakeImage at (left, below); and the hits.
 struct PictureDifference
 {
   int Different = 0;

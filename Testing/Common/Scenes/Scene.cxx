@@ -46,7 +46,7 @@ void Scene::LookFrom(double x, double y, double z)
 
 bool Scene::Render(int width, int height)
 {
-  return this->Mapper->RenderToImage(
+  return this->Mapper->MakeImage(
     this->Renderer, this->Volume, width, height, this->Color, this->Depth);
 }
 

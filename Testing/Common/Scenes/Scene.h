@@ -29,7 +29,7 @@ struct Scene
   /// Look at the whole volume from a direction (from the volume to the camera).
   void LookFrom(double x, double y, double z);
 
-  /// RenderToImage into Color and Depth.
+  /// MakeImage into Color and Depth.
   bool Render(int width, int height);
 
   /// Colours and depths of the mapper's last frame.

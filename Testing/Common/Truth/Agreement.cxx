@@ -62,7 +62,7 @@ Agreement CompareWithTruth(const Scene& scene, const BruteForceTracer& truth, in
 void ExpectColdTruth(const std::string& what, Scene& scene, const BruteForceTracer& truth,
   int width, int height, int stride)
 {
-  scene.Mapper->ReleaseReuse();
+  scene.Mapper->ClearCache();
   if (!scene.Render(width, height))
   {
     Expect(false, what + ": not rendered");

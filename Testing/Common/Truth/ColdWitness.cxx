@@ -87,12 +87,12 @@ bool ColdWitness::Draw(Scene& scene)
   this->Mapper->SelectScalarArray(scene.Mapper->GetArrayId());
   this->Mapper->SelectScalarArray(scene.Mapper->GetArrayName());
   this->Mapper->SetArrayAccessMode(scene.Mapper->GetArrayAccessMode());
-  this->Mapper->ReleaseReuse();
+  this->Mapper->ClearCache();
   int size[3];
   scene.Color->GetDimensions(size);
-  return this->Mapper->RenderToImage(
+  return this->Mapper->MakeImage(
            scene.Renderer, scene.Volume, size[0], size[1], this->Color, this->Depth) &&
-    std::string(this->Mapper->GetRouteAsString()) == "Cold";
+    std::string(this->Mapper->GetStatistics()->GetRouteAsString()) == "Cold";
 }
 
 vtkIdType ColdWitness::CountDifferent(const Scene& scene, double voxels) const
@@ -123,5 +123,5 @@ vtkIdType ColdWitness::Count(const Scene& scene, double apart) const
 
 bool IsRoute(Scene& scene, const std::string& route)
 {
-  return scene.Mapper->GetRouteAsString() == route;
+  return scene.Mapper->GetStatistics()->GetRouteAsString() == route;
 }

@@ -126,7 +126,7 @@ inline void ExpectSame(const std::string& what, vtkDataObject* blocks, vtkImageD
     ::ExpectSame(what, several, one, Size);
     several.Renderer->GetActiveCamera()->Azimuth(2.0);
     ::ExpectSame(what + ", moved", several, one, Size);
-    Expect(std::string(several.Mapper->GetRouteAsString()) == "ImageCache",
+    Expect(std::string(several.Mapper->GetStatistics()->GetRouteAsString()) == "ImageCache",
       what + ": what is not changed is used again");
     several.SetIsovalues({ 55.0 });
     one.SetIsovalues({ 55.0 });

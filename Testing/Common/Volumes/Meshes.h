@@ -3,7 +3,7 @@
 #ifndef Testing_Meshes_h
 #define Testing_Meshes_h
 
-#include "Mesh/Mesh.h"
+#include "Mesh/Cells/Mesh.h"
 
 #include <glm/glm.hpp>
 

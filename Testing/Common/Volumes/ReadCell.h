@@ -3,7 +3,7 @@
 #ifndef Testing_ReadCell_h
 #define Testing_ReadCell_h
 
-#include "Mesh/MeshCell.h"
+#include "Mesh/Cells/MeshCell.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -42,7 +42,7 @@ void ChangingScene::Arrange()
       this->MakeOneOf(kind);
     }
   }
-  this->Shown.Mapper->SetReuseAccuracy(this->Views.Pick(3));
+  this->Shown.Mapper->SetReuseAccuracy(Mapper::EXACT + this->Views.Pick(2));
   this->Shown.Mapper->SetIsomap(this->Views.Pick(3) != 0);
   this->Views.Resize();
 }

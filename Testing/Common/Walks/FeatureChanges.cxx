@@ -217,7 +217,7 @@ void SwitchOff(Scene& scene)
   mapper->SetSurfaceMode(made->GetSurfaceMode());
   mapper->SetVectorMode(made->GetVectorMode());
   mapper->SetMaskInput(nullptr);
-  mapper->SetImageCache(made->GetImageCache());
+  mapper->SetReuseFrames(made->GetReuseFrames());
   mapper->SetIsomap(made->GetIsomap());
   mapper->SetSpaceLeaping(made->GetSpaceLeaping());
   mapper->SetColorByAnswer(made->GetColorByAnswer());

@@ -49,7 +49,7 @@ std::string FeatureWalk::Where() const
   {
     what += feature + ", ";
   }
-  return what + this->Shown.Mapper->GetRouteAsString() + ")";
+  return what + this->Shown.Mapper->GetStatistics()->GetRouteAsString() + ")";
 }
 
 void FeatureWalk::Step()
@@ -63,7 +63,7 @@ void FeatureWalk::Step()
   {
     for (const std::string& feature : this->Features())
     {
-      ++this->Counted[feature][this->Shown.Mapper->GetRouteAsString()];
+      ++this->Counted[feature][this->Shown.Mapper->GetStatistics()->GetRouteAsString()];
     }
   }
   if (this->Views.Pick(12) == 0)
@@ -103,13 +103,8 @@ void FeatureWalk::StopSometimes()
 void FeatureWalk::ExpectSameColors()
 {
   Mapper* mapper = this->Shown.Mapper;
-  if (!IsRoute(this->Shown, "ImageCache") || mapper->GetReuseAccuracy() == Mapper::PAPER)
-  {
-    return;
-  }
-  this->Shares.push_back(static_cast<double>(this->Cold.CountDifferent(this->Shown)) /
-    static_cast<double>(this->Shown.Depth->GetNumberOfPoints()));
-  if (mapper->GetColorByAnswer())
+  if (!IsRoute(this->Shown, "ImageCache") || mapper->GetColorByAnswer() ||
+    mapper->GetImageCacheShading() == Mapper::INTERPOLATE)
   {
     return;
   }
@@ -216,8 +211,8 @@ void FeatureWalk::ComeHome()
   {
     if (isNew)
     {
-      this->Shown.Mapper->ReleaseReuse();
-      plain.Mapper->ReleaseReuse();
+      this->Shown.Mapper->ClearCache();
+      plain.Mapper->ClearCache();
     }
     for (int frame = 0; frame < 12; ++frame)
     {
@@ -240,11 +235,14 @@ void FeatureWalk::ComeHome()
       }
       if (isNew)
       {
-        Expect(a->GetRoute() == b->GetRoute() &&
-            a->GetNumberOfTracedRays() == b->GetNumberOfTracedRays() &&
-            a->GetNumberOfFieldSamples() == b->GetNumberOfFieldSamples() &&
-            a->GetNumberOfDefiniteHits() == b->GetNumberOfDefiniteHits() &&
-            a->GetIsomapMemory() == b->GetIsomapMemory(),
+        Expect(a->GetStatistics()->GetRoute() == b->GetStatistics()->GetRoute() &&
+            a->GetStatistics()->GetNumberOfTracedRays() ==
+              b->GetStatistics()->GetNumberOfTracedRays() &&
+            a->GetStatistics()->GetNumberOfFieldSamples() ==
+              b->GetStatistics()->GetNumberOfFieldSamples() &&
+            a->GetStatistics()->GetNumberOfDefiniteHits() ==
+              b->GetStatistics()->GetNumberOfDefiniteHits() &&
+            a->GetStatistics()->GetIsomapMemory() == b->GetStatistics()->GetIsomapMemory(),
           what + ": not at the cost of a new mapper");
       }
     }

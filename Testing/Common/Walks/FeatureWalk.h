@@ -8,7 +8,6 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 /// How often each route was taken while a feature was on.
 using RoutesOfFeatures = std::map<std::string, Sweep::Routes>;
@@ -28,7 +27,6 @@ public:
 
   RoutesOfFeatures Counted;
   int Stopped = 0, Lines = 0, LinesHit = 0, OtherLines = 0;
-  std::vector<double> Shares; ///< of pixels that differ, of each frame that is BOUNDED
 
 private:
   std::string Where() const;

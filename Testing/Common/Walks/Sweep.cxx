@@ -278,14 +278,16 @@ Routes ExpectCold(Scene& scene, const std::vector<std::vector<double>>& lists, i
   {
     scene.SetIsovalues(lists[i]);
     Expect(scene.Render(width, height) && cold.Draw(scene), what + ": rendered");
-    ++routes[scene.Mapper->GetRouteAsString()];
-    seen += scene.Mapper->GetNumberOfDefiniteHits() + scene.Mapper->GetNumberOfPossibleHits();
+    ++routes[scene.Mapper->GetStatistics()->GetRouteAsString()];
+    seen += scene.Mapper->GetStatistics()->GetNumberOfDefiniteHits() +
+      scene.Mapper->GetStatistics()->GetNumberOfPossibleHits();
     if (!cold.IsIdentical(scene))
     {
       // One line tells of a whole sweep: the first of its wrong frames.
       if (wrong++ == 0)
       {
-        first << "step " << i << ", " << scene.Mapper->GetRouteAsString() << ", isovalue(s)";
+        first << "step " << i << ", " << scene.Mapper->GetStatistics()->GetRouteAsString()
+              << ", isovalue(s)";
         for (const double isovalue : lists[i])
         {
           first << ' ' << isovalue;

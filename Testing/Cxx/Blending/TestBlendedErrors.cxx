@@ -137,7 +137,11 @@ void TestNumbers()
     [](Scene& scene) { scene.Volume->GetProperty()->SetScalarOpacityUnitDistance(8.0); });
   ExpectError(
     Composite, "SampleDistance of the mapper",
-    [](Scene& scene) { scene.Mapper->SetSampleDistance(-1.0f); },
+    [](Scene& scene)
+    {
+      scene.Mapper->FixedStepSamplingOn();
+      scene.Mapper->SetSampleDistance(-1.0f);
+    },
     [](Scene& scene) { scene.Mapper->SetSampleDistance(0.0f); });
   ExpectError(
     Composite, "Ambient colour of light 0 of the renderer",
@@ -174,7 +178,7 @@ void TestSurfaces(int mode)
   scene.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
   vtkNew<vtkImageData> frame;
   Expect(
-    scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 40, 40, frame) && !errors->GetError(),
+    scene.Mapper->MakeImage(scene.Renderer, scene.Volume, 40, 40, frame) && !errors->GetError(),
     name + ": no isovalue is needed");
   double position[3], normal[3];
   int index = 7;

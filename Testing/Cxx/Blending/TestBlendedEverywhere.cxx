@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Behind the factory, blended volumes are drawn on the CPU by a rule that can be set: as
-// vtkTemporalCoherenceVolumeMapper draws them, or as VTK's own mapper does, to the last bit. Both
+// Behind the factory, a rule that can be set says who draws a blended volume:
+// vtkTemporalCoherenceVolumeMapper on the CPU, or VTK's own mapper, to the last bit. Both pictures
 // look alike.
 
 #include "BlendedScene.h"

@@ -209,7 +209,8 @@ void TestChanges(int mode)
   ConstantScene scene(mode);
   AddPoints(scene);
   scene.Shown(1.0);
-  Expect(scene.Render(8, 8) && std::string(scene.Mapper->GetRouteAsString()) == "Redisplay",
+  Expect(scene.Render(8, 8) &&
+      std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Redisplay",
     "nothing changed");
   scene.Opacity->AddPoint(1.0, 0.5);
   ExpectFunctions(scene, NameOfMode(mode) + ", another opacity", { 1.0 });

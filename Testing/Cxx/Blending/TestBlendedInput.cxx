@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is blended: components, wherever an array stores them, blocks, rectilinear grids, and the
-// parts of these that cropping, clipping and masks keep.
+// Blended volumes take components, wherever an array stores them, blocks, and rectilinear grids.
+// Cropping, clipping and masks cut them.
 
 #include "BlendedScene.h"
 #include "Checks/Expect.h"

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which values count as a colour, and over which values tables are spread. Colours in the data, and
-// components beside one another, look as VTK's GPU mapper shows them, whatever range the data have.
-// Nodes of functions far from the data change no picture.
+// Colours in the data, and components beside one another, look as VTK's GPU mapper shows them,
+// whatever range the data have. Nodes of functions far from the data change no picture.
 
 #include "BlendedScene.h"
 #include "Checks/Expect.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Blended volumes on random walks: each frame is that of a mapper without a past.
+// On random walks, each frame of a blended volume is that of a mapper without a past.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Blended volumes in windows: the picture of RenderToImage over what is behind it, ended at what is
-// opaque.
+// A window shows a blended volume as MakeImage does, over what is behind it. What is opaque
+// ends it.
 
 #include "BlendedScene.h"
 #include "Checks/Expect.h"
@@ -28,7 +28,7 @@ constexpr int Size = 150;
 const std::array<double, 3> Centre{ 15.5, 15.5, 15.5 };
 const std::array<double, 3> ToViewer{ 0.5, 1.0, 0.2 };
 
-/// Count the pixels of a window that differ from the scene's last RenderToImage over a colour.
+/// Count the pixels of a window that differ from the scene's last MakeImage over a colour.
 PictureDifference CompareOver(vtkUnsignedCharArray* pixels, const Scene& scene,
   const std::array<double, 3>& behind, double most = 1.6)
 {
@@ -51,14 +51,14 @@ PictureDifference CompareOver(vtkUnsignedCharArray* pixels, const Scene& scene,
   return result;
 }
 
-/// RenderToImage of only what lies before a plane.
+/// MakeImage of only what lies before a plane.
 void RenderBefore(BlendedScene& scene, const std::array<double, 3>& centre, int size = Size)
 {
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(centre.data());
   plane->SetNormal(ToViewer[0], ToViewer[1], ToViewer[2]);
   scene.Mapper->AddClippingPlane(plane);
-  Expect(scene.Render(size, size), "RenderToImage of a part");
+  Expect(scene.Render(size, size), "MakeImage of a part");
   scene.Mapper->RemoveAllClippingPlanes();
 }
 
@@ -77,12 +77,15 @@ void TestAlone(int mode)
   vtkNew<vtkRenderWindow> window;
   OpenWindow(window, scene.Renderer, Size, Size);
   window->Render();
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Cold", name + ": the first is cold");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Cold",
+    name + ": the first is cold");
   const auto pixels = PixelsOf(window);
   window->Render();
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Redisplay", name + ": shown again");
-  Expect(scene.Render(Size, Size), "RenderToImage");
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Redisplay", name + ": the same picture");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Redisplay",
+    name + ": shown again");
+  Expect(scene.Render(Size, Size), "MakeImage");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Redisplay",
+    name + ": the same picture");
   ExpectSame(CompareOver(pixels, scene, { 0.0, 128.0 / 255.0, 0.0 }), name + " alone");
 }
 
@@ -99,7 +102,8 @@ void TestPlane(int mode, bool isParallel)
   OpenWindow(window, scene.Renderer, Size, Size);
   window->Render();
   window->Render();
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Redisplay", name + ": nothing changed");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Redisplay",
+    name + ": nothing changed");
   const auto inside = PixelsOf(window);
   RenderBefore(scene, Centre);
   ExpectSame(CompareOver(inside, scene, { 0.0, 0.0, 1.0 }), name + ", plane inside", 5);
@@ -107,7 +111,8 @@ void TestPlane(int mode, bool isParallel)
   const std::array<double, 3> farther{ 9.0, 3.0, 13.0 };
   plane.Source->SetCenter(farther[0], farther[1], farther[2]);
   window->Render();
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Cold", name + ": the plane moved");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Cold",
+    name + ": the plane moved");
   const auto moved = PixelsOf(window);
   RenderBefore(scene, farther);
   ExpectSame(CompareOver(moved, scene, { 0.0, 0.0, 1.0 }), name + ", plane moved", 5);
@@ -115,7 +120,7 @@ void TestPlane(int mode, bool isParallel)
   plane.Source->SetCenter(0.0, -40.0, 0.0);
   window->Render();
   const auto behind = PixelsOf(window);
-  Expect(scene.Render(Size, Size), "RenderToImage");
+  Expect(scene.Render(Size, Size), "MakeImage");
   ExpectSame(CompareOver(behind, scene, { 0.0, 0.0, 1.0 }), name + ", plane behind");
 
   plane.Source->SetCenter(25.0, 50.0, 20.0);
@@ -148,7 +153,7 @@ void TestSampleDistances(int mode)
     cut->SetNormal(ToViewer[0], ToViewer[1], ToViewer[2]);
     scene.Mapper->AddClippingPlane(cut);
     const int rays = static_cast<int>(std::lround(Size / distance));
-    Expect(scene.Render(rays, rays), "RenderToImage");
+    Expect(scene.Render(rays, rays), "MakeImage");
     int different = 0;
     for (int i = 0; i < Size * Size; ++i)
     {
@@ -256,7 +261,7 @@ void TestTwoVolumes(int mode)
   OpenWindow(window, first.Renderer, Size, Size);
   window->Render();
   const auto pixels = PixelsOf(window);
-  Expect(first.Render(Size, Size) && second.Render(Size, Size), "RenderToImage");
+  Expect(first.Render(Size, Size) && second.Render(Size, Size), "MakeImage");
   int different = 0;
   for (int i = 0; i < Size * Size; ++i)
   {

@@ -3,14 +3,14 @@
 
 // When frames are made from the image cache, and what they tell of themselves.
 
+#include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
 #include "Scenes/Subject.h"
 #include "Truth/ColdWitness.h"
-#include "Volumes/Ghosts.h"
 #include "Volumes/Volumes.h"
 #include "Walks/RandomViews.h"
 
-#include <vtkPiecewiseFunction.h>
+#include <vtkCommand.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -30,19 +30,20 @@ void ExpectRoute(Scene& scene, const std::string& route, const std::string& what
 {
   Expect(scene.Render(150, 120), what + ": rendered");
   Expect(IsRoute(scene, route),
-    what + ": the route is " + scene.Mapper->GetRouteAsString() + ", not " + route);
+    what + ": the route is " + scene.Mapper->GetStatistics()->GetRouteAsString() + ", not " +
+      route);
 }
 
 void TestRefineWhenStill()
 {
   ColdWitness cold;
-  for (const int accuracy : { Mapper::BOUNDED, Mapper::PAPER })
+  for (const bool isNearest : { false, true })
   {
     Subject waves = { "Waves", Volumes::Waves(), { 200.0, -300.0 } };
-    waves.IsNearest = true;
+    waves.IsNearest = isNearest;
     Scene scene(waves.Image, waves.Isovalues);
     waves.Prepare(scene);
-    scene.Mapper->SetReuseAccuracy(accuracy);
+    scene.Mapper->SetReuseAccuracyToPaper();
     scene.LookFrom(1.0, 2.0, 0.5);
     ExpectRoute(scene, "Cold", "first");
     Turn(scene, 4.0);
@@ -83,7 +84,7 @@ void TestNoRefinement()
   Expect(AreIdentical(depth, scene.Depth) && !AreIdentical(color, scene.Color),
     "new colours, not refined: the surfaces stay, the colours change");
   ColdWitness cold;
-  scene.Mapper->ImageCacheOff();
+  scene.Mapper->ReuseFramesOff();
   ExpectRoute(scene, "Cold", "image cache off");
   Expect(cold.Draw(scene) && cold.IsIdentical(scene), "image cache off: not the cold picture");
 }
@@ -117,7 +118,7 @@ vtkIdType PossibleHitsAfterReturn(int numberOfImages)
     Turn(scene, degrees);
     ExpectRoute(scene, "ImageCache", what + ", jump");
   }
-  return scene.Mapper->GetNumberOfPossibleHits();
+  return scene.Mapper->GetStatistics()->GetNumberOfPossibleHits();
 }
 
 void TestSeveralImages()
@@ -131,7 +132,7 @@ void TestSeveralImages()
 
 void TestCounters()
 {
-  for (const int accuracy : { Mapper::BOUNDED, Mapper::EXACT, Mapper::PAPER })
+  for (const int accuracy : { Mapper::EXACT, Mapper::PAPER })
   {
     Scene scene(Volumes::Waves(), { 200.0, -300.0 });
     scene.Mapper->SetReuseAccuracy(accuracy);
@@ -142,68 +143,28 @@ void TestCounters()
         "counters, accuracy " + std::to_string(accuracy) + ", step " + std::to_string(step);
       Expect(views.RenderNext(), what + ": rendered");
       Mapper* mapper = scene.Mapper;
-      Expect(mapper->GetNumberOfRays() == scene.Depth->GetNumberOfPoints(), what + ": rays");
-      Expect(mapper->GetNumberOfDefiniteHits() + mapper->GetNumberOfDefiniteMisses() +
-            mapper->GetNumberOfPossibleHits() ==
-          mapper->GetNumberOfRays(),
+      Expect(mapper->GetStatistics()->GetNumberOfRays() == scene.Depth->GetNumberOfPoints(),
+        what + ": rays");
+      Expect(mapper->GetStatistics()->GetNumberOfDefiniteHits() +
+            mapper->GetStatistics()->GetNumberOfDefiniteMisses() +
+            mapper->GetStatistics()->GetNumberOfPossibleHits() ==
+          mapper->GetStatistics()->GetNumberOfRays(),
         what + ": answers add up to rays");
-      Expect(mapper->GetNumberOfTracedRays() <= mapper->GetNumberOfRays(), what + ": traced rays");
-      const bool isAsked = IsRoute(scene, "ImageCache") && accuracy != Mapper::EXACT;
-      Expect((mapper->GetQueryTime() > 0.0) == isAsked, what + ": the time of asking");
-      const double sum = mapper->GetTraceTime() + mapper->GetQueryTime() + mapper->GetShadeTime();
-      Expect(sum <= mapper->GetFrameTime() + 1e-6, what + ": times add up");
+      Expect(mapper->GetStatistics()->GetNumberOfTracedRays() <=
+          mapper->GetStatistics()->GetNumberOfRays(),
+        what + ": traced rays");
+      const bool isAsked = IsRoute(scene, "ImageCache");
+      Expect(!isAsked || accuracy == Mapper::PAPER, what + ": the cache serves EXACT");
+      Expect(
+        (mapper->GetStatistics()->GetQueryTime() > 0.0) == isAsked, what + ": the time of asking");
+      const double sum = mapper->GetStatistics()->GetTraceTime() +
+        mapper->GetStatistics()->GetQueryTime() + mapper->GetStatistics()->GetShadeTime();
+      Expect(sum <= mapper->GetStatistics()->GetFrameTime() + 1e-6, what + ": times add up");
     }
   }
 }
 
-/// Where cold frames are faster, BOUNDED makes cold frames.
-void TestWhereBoundedIsCold()
-{
-  const Subject image = { "Waves", Volumes::Waves(), { 200.0 } };
-  Subject grid = image, nearest = image, several = image;
-  grid.IsGrid = true;
-  nearest.IsNearest = true;
-  const auto blob = [](double x, double y, double z) { return 1.0 - x * x - 2.0 * y * y - z * z; };
-  several = { "Blob", Volumes::FromFormula(40, VTK_FLOAT, blob), { 0.2, 0.6 } };
-  const auto expect =
-    [](const Subject& subject, double turn, bool isOpaque, const std::string& route)
-  {
-    Scene scene(subject.Image, subject.Isovalues);
-    subject.Prepare(scene);
-    scene.Mapper->SetReuseAccuracyToBounded();
-    if (!isOpaque)
-    {
-      vtkNew<vtkPiecewiseFunction> opacity;
-      opacity->AddPoint(0.0, 0.4);
-      scene.Volume->GetProperty()->SetScalarOpacity(opacity);
-    }
-    scene.LookFrom(1.0, 2.0, 0.5);
-    const std::string what = subject.Describe() + ", turned by " + std::to_string(turn);
-    ExpectRoute(scene, "Cold", what + ", first");
-    Turn(scene, turn);
-    ExpectRoute(scene, route, what);
-    if (route == "Cold")
-    {
-      ExpectRoute(scene, "Redisplay", what + ", still: it is exact");
-    }
-  };
-  expect(image, 1.0, true, "Cold"); // rays go as beams
-  expect(several, 1.0, true, "Cold");
-  expect(grid, 1.0, true, "Cold");
-  grid.IsNearest = true;
-  for (const Subject& subject : { grid, nearest })
-  {
-    expect(subject, 1.0, true, "ImageCache");
-    expect(subject, 5.0, true, "ImageCache");
-    expect(subject, 8.0, true, "Cold");
-    expect(subject, 1.0, false, "Cold");
-  }
-  Subject hidden = nearest;
-  Ghosts::HideCells(hidden.Image, 0.1, 5);
-  expect(hidden, 1.0, true, "Cold");
-}
-
-/// What was made for other accuracies has not what BOUNDED and PAPER start from.
+/// What was made for EXACT has not what PAPER starts from.
 void TestChangedAccuracy()
 {
   Subject nearest = { "Waves", Volumes::Waves(), { 200.0 } };
@@ -220,14 +181,36 @@ void TestChangedAccuracy()
     Expect(cold.Draw(scene) && cold.CountDifferent(scene) < 200, "no other picture");
   };
   expect(Mapper::EXACT, "Cold");
-  expect(Mapper::BOUNDED, "Cold");
-  expect(Mapper::BOUNDED, "ImageCache");
-  expect(Mapper::PAPER, "ImageCache");
-  expect(Mapper::BOUNDED, "Cold");
-  expect(Mapper::EXACT, "Cold");
   expect(Mapper::PAPER, "Cold");
   expect(Mapper::PAPER, "ImageCache");
   expect(Mapper::EXACT, "Cold");
+  expect(Mapper::PAPER, "Cold");
+  expect(Mapper::PAPER, "ImageCache");
+}
+
+/// Programs that ask for the removed accuracy get the default, and are told so once.
+void TestRemovedAccuracy()
+{
+  Scene scene(Volumes::Waves(), { 200.0 });
+  scene.LookFrom(1.0, 2.0, 0.5);
+  scene.Mapper->SetReuseAccuracyToPaper();
+  const EventCounter warnings(scene.Mapper, vtkCommand::WarningEvent);
+  scene.Mapper->SetReuseAccuracyToBounded();
+  Expect(scene.Mapper->GetReuseAccuracy() == Mapper::EXACT && warnings.Count == 1,
+    "BOUNDED: EXACT, and a warning");
+  ExpectRoute(scene, "Cold", "BOUNDED, first");
+  Turn(scene, 1.0);
+  ExpectRoute(scene, "Cold", "BOUNDED, turned");
+  const vtkMTimeType before = scene.Mapper->GetMTime();
+  scene.Mapper->SetReuseAccuracy(Mapper::BOUNDED);
+  Expect(warnings.Count == 1 && scene.Mapper->GetMTime() == before, "BOUNDED again: no change");
+  for (const int beyond : { -7, 7 })
+  {
+    scene.Mapper->SetReuseAccuracy(beyond);
+    Expect(scene.Mapper->GetReuseAccuracy() == (beyond < 0 ? Mapper::EXACT : Mapper::PAPER),
+      "an accuracy beyond the last one is that one");
+  }
+  Expect(warnings.Count == 1, "no other warning");
 }
 
 /// Yellow pixels; and none of them without a surface.
@@ -265,7 +248,8 @@ void TestColorByAnswer()
   ExpectRoute(scene, "ImageCache", "by answer");
   const vtkIdType yellow = CountYellow(scene, "turned");
   Expect(yellow > 0, "nothing is yellow after a large turn");
-  Expect(yellow <= scene.Mapper->GetNumberOfPossibleHits(), "more is yellow than possible");
+  Expect(yellow <= scene.Mapper->GetStatistics()->GetNumberOfPossibleHits(),
+    "more is yellow than possible");
   ExpectRoute(scene, "Cold", "by answer, still");
   Expect(cold.Draw(scene) && cold.IsIdentical(scene), "by answer, still: not the cold picture");
 }
@@ -280,7 +264,7 @@ int TestImageCacheFrames(int, char*[])
   TestSeveralImages();
   TestCounters();
   TestColorByAnswer();
-  TestWhereBoundedIsCold();
   TestChangedAccuracy();
+  TestRemovedAccuracy();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

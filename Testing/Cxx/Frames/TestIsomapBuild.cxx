@@ -53,7 +53,8 @@ void ExpectCold(Scene& scene, const std::string& route, const std::string& what)
   ColdWitness cold;
   Expect(scene.Render(Size, Size), what + ": rendered");
   Expect(IsRoute(scene, route),
-    what + ": the route is " + scene.Mapper->GetRouteAsString() + ", not " + route);
+    what + ": the route is " + scene.Mapper->GetStatistics()->GetRouteAsString() + ", not " +
+      route);
   Expect(cold.Draw(scene) && cold.IsIdentical(scene), what + ": not the cold picture");
 }
 
@@ -107,7 +108,8 @@ void TestStoppedAhead()
     Expect(events == 3, "stopped at the third event, but there are " + std::to_string(events));
   }
   scene.Mapper->SetAbortExecute(0);
-  Expect(scene.Mapper->GetIsomapMemory() == 0, "stopped: a part of an isomap is kept");
+  Expect(
+    scene.Mapper->GetStatistics()->GetIsomapMemory() == 0, "stopped: a part of an isomap is kept");
   Expect(errors.Count == 0, "stopping is no error");
   ExpectCold(scene, "Redisplay", "stopped");
   scene.SetIsovalues({ 230.0 });
@@ -140,7 +142,8 @@ void TestStoppedAtOnce()
     return scene.Mapper->BuildIsomap(scene.Renderer, scene.Volume);
   };
   Expect(!build(true), "stopped at once, but built");
-  Expect(scene.Mapper->GetIsomapMemory() == 0, "stopped at once: a part of an isomap is kept");
+  Expect(scene.Mapper->GetStatistics()->GetIsomapMemory() == 0,
+    "stopped at once: a part of an isomap is kept");
   Expect(build(false), "after it was stopped at once: not built");
   Expect(std::is_sorted(progress.begin(), progress.end()) && progress.back() == 1.0,
     "progress of a pipeline and a build: it falls");
@@ -150,7 +153,7 @@ void TestStoppedAtOnce()
 void ExpectStopped(
   Scene& scene, vtkRenderWindow* window, const std::function<void()>& stop, const std::string& what)
 {
-  scene.Mapper->ReleaseReuse();
+  scene.Mapper->ClearCache();
   scene.SetIsovalues({ 200.0 });
   window->Render();
   Expect(IsRoute(scene, "Cold"), what + ": the first frame");
@@ -162,7 +165,7 @@ void ExpectStopped(
     window->Render();
   }
   Expect(window->GetAbortRender() != 0, what + ": the window was not told to stop");
-  Expect(IsRoute(scene, "Cold") && scene.Mapper->GetIsomapMemory() == 0,
+  Expect(IsRoute(scene, "Cold") && scene.Mapper->GetStatistics()->GetIsomapMemory() == 0,
     what + ": something was made all the same");
   Expect(scene.Mapper->PickPixel(Size / 2, Size / 2, later, nullptr, nullptr) &&
       position[0] == later[0] && position[1] == later[1] && position[2] == later[2],

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// When isomaps are built, when they are looked up, when they are worth nothing any more, and what
-// memory they may take.
+// Isomaps are built, looked up and dropped when they should be, and keep to their limits of memory.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
@@ -45,7 +44,8 @@ struct Waves
   {
     ::Expect(this->Shown.Render(this->Width, this->Height), what + ": rendered");
     ::Expect(IsRoute(this->Shown, route),
-      what + ": the route is " + this->Shown.Mapper->GetRouteAsString() + ", not " + route);
+      what + ": the route is " + this->Shown.Mapper->GetStatistics()->GetRouteAsString() +
+        ", not " + route);
     ::Expect(this->Cold.Draw(this->Shown) && this->Cold.IsIdentical(this->Shown),
       what + ": not the cold picture");
   }
@@ -68,25 +68,30 @@ void TestRoutesOfIsovalues()
   Mapper* mapper = waves.Shown.Mapper;
   mapper->SetIsomapRange(150.0, 250.0);
   waves.Expect("Cold", "first");
-  Expect(mapper->GetIsomapMemory() == 0 && mapper->GetNumberOfIsomapKnots() == 0,
+  Expect(mapper->GetStatistics()->GetIsomapMemory() == 0 &&
+      mapper->GetStatistics()->GetNumberOfIsomapKnots() == 0,
     "there is an isomap before an isovalue changed");
   waves.Expect(210.0, "IsomapBuild", "first change");
-  Expect(mapper->GetIsomapBuildTime() > 0.0, "building takes time");
-  Expect(mapper->GetIsomapMemory() > 0 && mapper->GetNumberOfIsomapKnots() > 0, "it is kept");
+  Expect(mapper->GetStatistics()->GetIsomapBuildTime() > 0.0, "building takes time");
+  Expect(mapper->GetStatistics()->GetIsomapMemory() > 0 &&
+      mapper->GetStatistics()->GetNumberOfIsomapKnots() > 0,
+    "it is kept");
   waves.Expect("Redisplay", "nothing");
   waves.Shown.Volume->GetProperty()->SetAmbient(0.4);
   waves.Expect("Reshade", "new colours");
   waves.Expect(-900.0, "IsomapBuild", "far away");
-  const vtkIdType knots = mapper->GetNumberOfIsomapKnots();
+  const vtkIdType knots = mapper->GetStatistics()->GetNumberOfIsomapKnots();
   waves.Expect(210.0, "IsomapLookup", "back again");
-  Expect(mapper->GetIsomapBuildTime() == 0.0, "looking up builds nothing");
-  Expect(mapper->GetNumberOfIsomapKnots() == knots, "looking up changes no knots");
-  Expect(mapper->GetNumberOfRays() == 96 * 80 &&
-      mapper->GetNumberOfDefiniteHits() + mapper->GetNumberOfDefiniteMisses() +
-          mapper->GetNumberOfPossibleHits() ==
-        mapper->GetNumberOfRays(),
+  Expect(mapper->GetStatistics()->GetIsomapBuildTime() == 0.0, "looking up builds nothing");
+  Expect(mapper->GetStatistics()->GetNumberOfIsomapKnots() == knots, "looking up changes no knots");
+  Expect(mapper->GetStatistics()->GetNumberOfRays() == 96 * 80 &&
+      mapper->GetStatistics()->GetNumberOfDefiniteHits() +
+          mapper->GetStatistics()->GetNumberOfDefiniteMisses() +
+          mapper->GetStatistics()->GetNumberOfPossibleHits() ==
+        mapper->GetStatistics()->GetNumberOfRays(),
     "answers add up to rays");
-  Expect(mapper->GetNumberOfTracedRays() <= mapper->GetNumberOfRays() / 100,
+  Expect(mapper->GetStatistics()->GetNumberOfTracedRays() <=
+      mapper->GetStatistics()->GetNumberOfRays() / 100,
     "rays that are looked up are traced");
   waves.Shown.SetIsovalues({});
   waves.Expect("Cold", "no isovalues");
@@ -115,7 +120,7 @@ void TestBuiltAhead()
   scene.Mapper->SetIsomapRange(100.0, 300.0);
   waves.Expect("Cold", "ahead, first");
   Expect(scene.Mapper->BuildIsomap(scene.Renderer, scene.Volume), "built ahead");
-  Expect(scene.Mapper->GetIsomapMemory() > 0, "built ahead: it is kept");
+  Expect(scene.Mapper->GetStatistics()->GetIsomapMemory() > 0, "built ahead: it is kept");
   Expect(IsRoute(scene, "Cold"), "built ahead: the last frame stays");
   waves.Expect("Redisplay", "built ahead, nothing changed");
   waves.Expect(299.0, "IsomapLookup", "built ahead, changed");
@@ -184,7 +189,7 @@ void TestNothingStale()
     for (const bool isWithIsovalue : { false, true })
     {
       Waves waves;
-      waves.Shown.Mapper->ImageCacheOff();
+      waves.Shown.Mapper->ReuseFramesOff();
       waves.Shown.Mapper->SetIsomapRange(-500.0, 500.0);
       waves.Expect("Cold", name + ", first");
       waves.Expect(300.0, "IsomapBuild", name + ", built");
@@ -292,9 +297,9 @@ void TestMemoryLimit()
     scene.SetIsovalues({ isovalue });
     scene.Mapper->SetIsomapRange(isovalue - 3.0, isovalue + 3.0);
     Expect(scene.Render(240, 200), what + ": rendered");
-    most = std::max(most, scene.Mapper->GetIsomapMemory());
-    Expect(scene.Mapper->GetIsomapMemory() <= limit,
-      what + ": " + std::to_string(scene.Mapper->GetIsomapMemory()) + " bytes");
+    most = std::max(most, scene.Mapper->GetStatistics()->GetIsomapMemory());
+    Expect(scene.Mapper->GetStatistics()->GetIsomapMemory() <= limit,
+      what + ": " + std::to_string(scene.Mapper->GetStatistics()->GetIsomapMemory()) + " bytes");
     if (step % 5 == 0)
     {
       Expect(cold.Draw(scene) && cold.IsIdentical(scene), what + ": not the cold picture");
@@ -305,16 +310,17 @@ void TestMemoryLimit()
     "limit of memory: " + std::to_string(warnings.Count) + " warnings instead of one");
 
   // The whole range in one band is too large; the picture is right all the same.
-  scene.Mapper->ReleaseReuse();
-  Expect(scene.Mapper->GetIsomapMemory() == 0 && scene.Mapper->GetNumberOfIsomapKnots() == 0,
-    "ReleaseReuse leaves an isomap");
+  scene.Mapper->ClearCache();
+  Expect(scene.Mapper->GetStatistics()->GetIsomapMemory() == 0 &&
+      scene.Mapper->GetStatistics()->GetNumberOfIsomapKnots() == 0,
+    "ClearCache leaves an isomap");
   scene.Mapper->SetIsomapRange(-1000.0, 1000.0);
   for (const double isovalue : { 500.0, 510.0, -20.0 })
   {
     scene.SetIsovalues({ isovalue });
     Expect(scene.Render(240, 200) && cold.Draw(scene) && cold.IsIdentical(scene),
       "too large a range: not the cold picture");
-    Expect(scene.Mapper->GetIsomapMemory() <= limit, "too large a range: kept");
+    Expect(scene.Mapper->GetStatistics()->GetIsomapMemory() <= limit, "too large a range: kept");
   }
 }
 
@@ -328,8 +334,9 @@ void TestMemoryOfDrags()
   {
     scene.SetIsovalues({ 1200.0 * std::sin(0.03 * step) });
     Expect(scene.Render(240, 200), "memory of drags: rendered");
-    Expect(scene.Mapper->GetIsomapMemory() <= 33 * 240 * 200,
-      "memory of drags: " + std::to_string(scene.Mapper->GetIsomapMemory()) + " bytes");
+    Expect(scene.Mapper->GetStatistics()->GetIsomapMemory() <= 33 * 240 * 200,
+      "memory of drags: " + std::to_string(scene.Mapper->GetStatistics()->GetIsomapMemory()) +
+        " bytes");
   }
   Expect(warnings.Count == 0, "memory of drags: a warning");
 }
@@ -348,7 +355,7 @@ void TestLoweredLimit()
     scene.Mapper->SetIsomapRange(isovalue - 10.0, isovalue + 10.0);
     Expect(scene.Render(240, 200), "limit to be lowered: rendered");
   }
-  const vtkIdType before = scene.Mapper->GetIsomapMemory();
+  const vtkIdType before = scene.Mapper->GetStatistics()->GetIsomapMemory();
   Expect(before > (2 << 20), "limit to be lowered: only " + std::to_string(before) + " bytes");
   Expect(warnings.Count == 0, "limit to be lowered: a warning");
   for (const int limit : { 2, 1, 0 })
@@ -357,12 +364,13 @@ void TestLoweredLimit()
     scene.SetIsovalues({ 100.0 + limit });
     Expect(scene.Render(240, 200) && cold.Draw(scene) && cold.IsIdentical(scene),
       "lowered limit: not the cold picture");
-    Expect(scene.Mapper->GetIsomapMemory() <= static_cast<vtkIdType>(limit) << 20,
+    Expect(scene.Mapper->GetStatistics()->GetIsomapMemory() <= static_cast<vtkIdType>(limit) << 20,
       "limit lowered to " + std::to_string(limit) +
-        " MiB: " + std::to_string(scene.Mapper->GetIsomapMemory()) + " bytes");
+        " MiB: " + std::to_string(scene.Mapper->GetStatistics()->GetIsomapMemory()) + " bytes");
   }
   Expect(IsRoute(scene, "Cold"),
-    std::string("limit lowered to 0: the route is ") + scene.Mapper->GetRouteAsString());
+    std::string("limit lowered to 0: the route is ") +
+      scene.Mapper->GetStatistics()->GetRouteAsString());
 }
 
 /// No memory is no isomap.
@@ -374,7 +382,8 @@ void TestNoMemory()
   waves.Expect("Cold", "limit 0, first");
   waves.Expect(210.0, "Cold", "limit 0, raised");
   waves.Expect(190.0, "Cold", "limit 0, lowered");
-  Expect(waves.Shown.Mapper->GetIsomapMemory() == 0, "limit 0: there is an isomap");
+  Expect(
+    waves.Shown.Mapper->GetStatistics()->GetIsomapMemory() == 0, "limit 0: there is an isomap");
   Expect(warnings.Count == 0, "limit 0: a warning");
   waves.Shown.Mapper->SetIsomapMemoryLimit(256);
   waves.Expect(180.0, "IsomapBuild", "with memory again");

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A sweep of 40 isovalues in a still view is looked up, whatever the field is: an image, a
-// rectilinear grid, hidden cells, cropping that leaves several pieces of a ray. Each frame is
-// compared with the cold picture, byte for byte.
+// A sweep of 40 isovalues in a still view is looked up and is the cold picture, byte for byte: of
+// images and rectilinear grids, with hidden cells, and where cropping leaves several pieces of a
+// ray.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

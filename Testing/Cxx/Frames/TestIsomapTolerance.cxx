@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Isomaps that may be a little wrong, or take colours over: how far they are from cold frames.
+// With a tolerance, no surface is farther from the cold one than that, and a larger tolerance takes
+// less memory. With INTERPOLATE, surfaces stay where they are, and colours are near those of the
+// field.
 
 #include "Checks/Expect.h"
 #include "Volumes/Volumes.h"
@@ -113,7 +115,7 @@ void SweepField(
     const vtkIdType farther = cold.CountFarther(scene, distance);
     if (farther > 0 && wrong++ == 0)
     {
-      first << isovalue << ", " << scene.Mapper->GetRouteAsString();
+      first << isovalue << ", " << scene.Mapper->GetStatistics()->GetRouteAsString();
     }
     pixels += farther;
   }
@@ -201,7 +203,7 @@ void TestMemory()
       scene.Mapper->SetIsomapTolerance(tolerance);
       Expect(scene.Render(160, 120) && scene.Mapper->BuildIsomap(scene.Renderer, scene.Volume),
         "memory: built");
-      const vtkIdType memory = scene.Mapper->GetIsomapMemory();
+      const vtkIdType memory = scene.Mapper->GetStatistics()->GetIsomapMemory();
       // Knots of tolerance 0 are of another kind.
       Expect(before == 0 || tolerance == 0.02 || memory < before,
         std::string(name) + ": tolerance " + std::to_string(tolerance) + " takes " +
@@ -319,7 +321,7 @@ void TestAfterwards()
       scene.Renderer->GetActiveCamera()->Azimuth(2.0);
       scene.Renderer->ResetCameraClippingRange();
       Expect(render() && 2000 * cold.CountDifferent(scene) <= scene.Depth->GetNumberOfPoints(),
-        what + ": moved, " + scene.Mapper->GetRouteAsString() + ", " +
+        what + ": moved, " + scene.Mapper->GetStatistics()->GetRouteAsString() + ", " +
           std::to_string(cold.CountDifferent(scene)) + " pixels differ");
     }
     // Exact ones are not mixed with others.

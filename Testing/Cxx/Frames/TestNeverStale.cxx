@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whatever changes, in whatever order: no picture ever shows what was true before.
+// Whatever changes, in whatever order, no picture shows what was true before.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"

@@ -32,8 +32,7 @@ void ExpectFreshPicture(Scene& scene, const std::string& what)
   vtkNew<vtkImageData> color, depth;
   int size[3];
   scene.Color->GetDimensions(size);
-  Expect(
-    fresh->RenderToImage(scene.Renderer, scene.Volume, size[0], size[1], color, depth), "fresh");
+  Expect(fresh->MakeImage(scene.Renderer, scene.Volume, size[0], size[1], color, depth), "fresh");
   Expect(AreIdentical(color, scene.Color) && AreIdentical(depth, scene.Depth),
     what + ": the picture is not that of a mapper without a past");
 }
@@ -41,8 +40,9 @@ void ExpectFreshPicture(Scene& scene, const std::string& what)
 void ExpectRoute(Scene& scene, const std::string& route, const std::string& what)
 {
   Expect(scene.Render(90, 70), what + ": rendered");
-  Expect(scene.Mapper->GetRouteAsString() == route,
-    what + ": the route is " + scene.Mapper->GetRouteAsString() + ", not " + route);
+  Expect(scene.Mapper->GetStatistics()->GetRouteAsString() == route,
+    what + ": the route is " + scene.Mapper->GetStatistics()->GetRouteAsString() + ", not " +
+      route);
   ExpectFreshPicture(scene, what);
 }
 
@@ -50,7 +50,7 @@ void ExpectRoute(Scene& scene, const std::string& route, const std::string& what
 void ExpectIsomap(Scene& scene, const std::string& what)
 {
   Expect(scene.Render(90, 70), what + ": rendered");
-  const std::string route = scene.Mapper->GetRouteAsString();
+  const std::string route = scene.Mapper->GetStatistics()->GetRouteAsString();
   Expect(route == "IsomapBuild" || route == "IsomapLookup", what + ": the route is " + route);
   ExpectFreshPicture(scene, what);
 }
@@ -115,9 +115,9 @@ void TestEachChange()
   property->SetScalarOpacity(opacity);
   ExpectRoute(scene, "Cold", "invisible");
 
-  scene.Mapper->ReleaseReuse();
+  scene.Mapper->ClearCache();
   Expect(!scene.Mapper->PickPixel(45, 35, nullptr, nullptr, nullptr), "nothing to pick");
-  ExpectRoute(scene, "Cold", "after ReleaseReuse");
+  ExpectRoute(scene, "Cold", "after ClearCache");
 }
 
 /// The slider of a user: opacities of what is seen already.
@@ -135,22 +135,26 @@ void TestOpacities()
   };
   const auto expectNothingTraced = [&](const std::string& what)
   {
-    Expect(
-      scene.Mapper->GetNumberOfTracedRays() == 0 && scene.Mapper->GetNumberOfFieldSamples() == 0,
+    Expect(scene.Mapper->GetStatistics()->GetNumberOfTracedRays() == 0 &&
+        scene.Mapper->GetStatistics()->GetNumberOfFieldSamples() == 0,
       what + ": rays were traced");
   };
   set(0.8, 0.9);
   ExpectRoute(scene, "Cold", "first frame");
-  const vtkIdType layers = scene.Mapper->GetNumberOfLayers();
+  const vtkIdType layers = scene.Mapper->GetStatistics()->GetNumberOfLayers();
   set(0.3, 0.4);
   ExpectRoute(scene, "Recomposite", "more light");
-  Expect(scene.Mapper->GetNumberOfTracedRays() > 0, "nothing more is seen");
-  Expect(scene.Mapper->GetNumberOfTracedRays() < scene.Mapper->GetNumberOfRays(), "all was traced");
-  Expect(scene.Mapper->GetNumberOfLayers() > layers, "layers that are seen now are not counted");
+  Expect(scene.Mapper->GetStatistics()->GetNumberOfTracedRays() > 0, "nothing more is seen");
+  Expect(scene.Mapper->GetStatistics()->GetNumberOfTracedRays() <
+      scene.Mapper->GetStatistics()->GetNumberOfRays(),
+    "all was traced");
+  Expect(scene.Mapper->GetStatistics()->GetNumberOfLayers() > layers,
+    "layers that are seen now are not counted");
   set(0.8, 0.9);
   ExpectRoute(scene, "Recomposite", "less light");
   expectNothingTraced("less light");
-  Expect(scene.Mapper->GetNumberOfLayers() == layers, "layers that no light reaches are counted");
+  Expect(scene.Mapper->GetStatistics()->GetNumberOfLayers() == layers,
+    "layers that no light reaches are counted");
   property->GetScalarOpacity()->AddPoint(200.0, 0.3); // modifies the function in place
   property->SetAmbient(0.4);
   ExpectRoute(scene, "Recomposite", "one opacity, and light");
@@ -165,7 +169,7 @@ void TestOpacities()
   byGradient->AddPoint(100.0, 0.9);
   property->SetGradientOpacity(byGradient);
   ExpectRoute(scene, "Recomposite", "gradient opacity");
-  scene.Mapper->ImageCacheOff();
+  scene.Mapper->ReuseFramesOff();
   scene.Mapper->IsomapOff();
   set(0.5, 0.5);
   ExpectRoute(scene, "Cold", "nothing may be re-used");
@@ -184,9 +188,10 @@ void TestOneOfSeveral()
     const std::string what = "step " + std::to_string(step);
     property->GetIsoSurfaceValues()->SetValue(1, -300.0 + 10.0 * step);
     ExpectIsomap(scene, what);
-    Expect(scene.Mapper->GetNumberOfPossibleHits() + scene.Mapper->GetNumberOfDefiniteHits() +
-          scene.Mapper->GetNumberOfDefiniteMisses() ==
-        scene.Mapper->GetNumberOfRays(),
+    Expect(scene.Mapper->GetStatistics()->GetNumberOfPossibleHits() +
+          scene.Mapper->GetStatistics()->GetNumberOfDefiniteHits() +
+          scene.Mapper->GetStatistics()->GetNumberOfDefiniteMisses() ==
+        scene.Mapper->GetStatistics()->GetNumberOfRays(),
       what + ": the counters do not add up");
   }
   scene.Mapper->SetIsomapRange(-100.0, 600.0);
@@ -252,7 +257,7 @@ void TestThreads()
   for (const int threads : { 1, 2, 7 })
   {
     vtkSMPTools::Initialize(threads);
-    scene.Mapper->ReleaseReuse();
+    scene.Mapper->ClearCache();
     Expect(scene.Render(333, 222), "rendered");
     if (threads == 1)
     {
@@ -275,19 +280,22 @@ void TestCounters()
   {
     scene.Volume->GetProperty()->SetAmbient(frame == 2 ? 0.3 : 0.1);
     Expect(scene.Render(64, 48), "rendered");
-    Expect(mapper->GetNumberOfRays() == 64 * 48, "one ray a pixel");
-    Expect(mapper->GetNumberOfDefiniteHits() + mapper->GetNumberOfDefiniteMisses() +
-          mapper->GetNumberOfPossibleHits() ==
-        mapper->GetNumberOfRays(),
+    Expect(mapper->GetStatistics()->GetNumberOfRays() == 64 * 48, "one ray a pixel");
+    Expect(mapper->GetStatistics()->GetNumberOfDefiniteHits() +
+          mapper->GetStatistics()->GetNumberOfDefiniteMisses() +
+          mapper->GetStatistics()->GetNumberOfPossibleHits() ==
+        mapper->GetStatistics()->GetNumberOfRays(),
       "answers add up to rays");
     const bool cold = frame == 0;
-    Expect((mapper->GetNumberOfTracedRays() > 0) == cold, "rays are traced in a cold frame only");
-    Expect(
-      (mapper->GetNumberOfFieldSamples() > 0) == cold, "samples are read in a cold frame only");
-    Expect(mapper->GetFrameTime() > 0.0 &&
-        mapper->GetTraceTime() + mapper->GetShadeTime() <= mapper->GetFrameTime(),
+    Expect((mapper->GetStatistics()->GetNumberOfTracedRays() > 0) == cold,
+      "rays are traced in a cold frame only");
+    Expect((mapper->GetStatistics()->GetNumberOfFieldSamples() > 0) == cold,
+      "samples are read in a cold frame only");
+    Expect(mapper->GetStatistics()->GetFrameTime() > 0.0 &&
+        mapper->GetStatistics()->GetTraceTime() + mapper->GetStatistics()->GetShadeTime() <=
+          mapper->GetStatistics()->GetFrameTime(),
       "times add up");
-    Expect(mapper->GetPresentTime() == 0.0, "nothing is shown");
+    Expect(mapper->GetStatistics()->GetPresentTime() == 0.0, "nothing is shown");
   }
 }
 

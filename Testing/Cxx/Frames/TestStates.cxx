@@ -26,7 +26,7 @@ constexpr int Size = 120;
 
 std::string RouteOf(const Scene& scene)
 {
-  return scene.Mapper->GetRouteAsString();
+  return scene.Mapper->GetStatistics()->GetRouteAsString();
 }
 
 /// A scene in a window of its own, whose volume has a given mapper.
@@ -113,14 +113,16 @@ void TestWindowsThatShareAMapper()
   // Counters and picks are those of the last frame.
   side.Window->SetSize(Size / 2, Size);
   side.Window->Render();
-  Expect(shared.Mapper->GetNumberOfRays() == Size * Size / 2, "rays of the last frame");
+  Expect(
+    shared.Mapper->GetStatistics()->GetNumberOfRays() == Size * Size / 2, "rays of the last frame");
   Expect(CountPicks(shared) < hits, "and its hits");
   front.Window->Render();
-  Expect(shared.Mapper->GetNumberOfRays() == Size * Size && RouteOf(shared) == "Redisplay",
+  Expect(shared.Mapper->GetStatistics()->GetNumberOfRays() == Size * Size &&
+      RouteOf(shared) == "Redisplay",
     "another window's resize does not matter");
   Expect(CountPicks(shared) == hits, "its surfaces are picked");
 
-  shared.Mapper->ReleaseReuse();
+  shared.Mapper->ClearCache();
   Expect(CountPicks(shared) == 0, "forgotten");
   front.Window->Render();
   Expect(RouteOf(shared) == "Cold" && ShowsTheTruth(front, other), "made again");
@@ -152,7 +154,7 @@ void TestWindowsThatClose()
   next->Render();
   Expect(RouteOf(shared) == "Redisplay", "the picture moves along");
   stays.Own.Mapper->SetInputData(image);
-  Expect(stays.Own.Render(Size, Size), "RenderToImage");
+  Expect(stays.Own.Render(Size, Size), "MakeImage");
   const auto pixels = PixelsOf(next);
   Expect(CompareWithImage(pixels, Size, stays.Own).Different == 0, "and is uploaded again");
 }
@@ -173,7 +175,7 @@ void TestManyViewers()
   const auto render = [&](int camera)
   {
     shared.Renderer->SetActiveCamera(cameras[static_cast<std::size_t>(camera)]);
-    Expect(shared.Render(Size, Size), "RenderToImage");
+    Expect(shared.Render(Size, Size), "MakeImage");
     return RouteOf(shared);
   };
   for (int round = 0; round < 2; ++round)
@@ -191,8 +193,8 @@ void TestManyViewers()
   shared.Renderer->SetActiveCamera(cameras[5]);
   cameras.clear();
   shared.Mapper->SetReuseAccuracyToPaper();
-  shared.Mapper->ReleaseReuse();
-  Expect(shared.Render(Size, Size), "RenderToImage");
+  shared.Mapper->ClearCache();
+  Expect(shared.Render(Size, Size), "MakeImage");
   for (int i = 0; i < 3; ++i)
   {
     vtkNew<vtkCamera> next;
@@ -253,7 +255,7 @@ void TestVolumes()
     "both are seen again");
   Expect(scene.Render(Size, Size) && RouteOf(scene) == "Redisplay", "the first of them alone");
   vtkNew<vtkImageData> color, depth;
-  Expect(scene.Mapper->RenderToImage(scene.Renderer, second, Size, Size, color, depth) &&
+  Expect(scene.Mapper->MakeImage(scene.Renderer, second, Size, Size, color, depth) &&
       RouteOf(scene) == "Redisplay",
     "the second alone");
 }
@@ -294,7 +296,8 @@ void TestIsomaps()
       view->Window->Render();
       Expect(isovalue == 100.0 ? RouteOf(shared) == "Cold" : RouteOf(shared).find("Isomap") == 0,
         "a route of isomaps");
-      Expect(isovalue == 100.0 || shared.Mapper->GetNumberOfIsomapKnots() > 0, "its knots");
+      Expect(isovalue == 100.0 || shared.Mapper->GetStatistics()->GetNumberOfIsomapKnots() > 0,
+        "its knots");
       Expect(ShowsTheTruth(*view, image), "its picture");
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Time series: a step that gives the same numbers again is no change, and one that changes a part
-// of them makes only what shows it. Every picture against one of a mapper without a past.
+// A time step with equal numbers is no change. One that changes a part of them traces only what
+// shows that part. Every picture is that of a mapper without a past.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
@@ -99,7 +99,8 @@ struct Series
   {
     ::Expect(this->Shown.Render(Width, Height), what + ": rendered");
     ::Expect(route.empty() || IsRoute(this->Shown, route),
-      what + ": " + this->Shown.Mapper->GetRouteAsString() + " instead of " + route);
+      what + ": " + this->Shown.Mapper->GetStatistics()->GetRouteAsString() + " instead of " +
+        route);
     ::Expect(this->Cold.Draw(this->Shown), what + ": rendered cold");
     ::Expect(this->Cold.IsIdentical(this->Shown), what + ": not the cold picture");
   }
@@ -127,7 +128,8 @@ void TestSameNumbers()
   for (int i = 0; i < 3; ++i)
   {
     series.Step(0.0, "Redisplay", what);
-    Expect(scene.Mapper->GetNumberOfTracedRays() == 0, what + ": nothing is traced");
+    Expect(
+      scene.Mapper->GetStatistics()->GetNumberOfTracedRays() == 0, what + ": nothing is traced");
   }
   scene.Volume->GetProperty()->SetAmbient(0.4);
   series.Step(0.0, "Reshade", what + ", other shading");
@@ -141,7 +143,7 @@ void TestSameNumbers()
   series.Step(0.0, "Redisplay", what + ", still again");
   scene.Volume->RotateZ(3.0);
   series.Step(0.0, "Cold", what + ", turned");
-  scene.Mapper->ImageCacheOff();
+  scene.Mapper->ReuseFramesOff();
   series.Step(0.0, "Redisplay", what + ", image cache off");
 
   // Samples that are written anew where they are.
@@ -242,12 +244,15 @@ void TestMovingBlob(const Kind& kind)
   for (int step = 2; step < 10; ++step)
   {
     series.Step(0.25 * step, "TimeStep", kind.Name);
-    const vtkIdType copied =
-      mapper->GetNumberOfDefiniteHits() + mapper->GetNumberOfDefiniteMisses();
-    Expect(2 * copied >= mapper->GetNumberOfRays(), kind.Name + ": most pixels are copied");
-    Expect(mapper->GetNumberOfPossibleHits() + copied == mapper->GetNumberOfRays(),
+    const vtkIdType copied = mapper->GetStatistics()->GetNumberOfDefiniteHits() +
+      mapper->GetStatistics()->GetNumberOfDefiniteMisses();
+    Expect(2 * copied >= mapper->GetStatistics()->GetNumberOfRays(),
+      kind.Name + ": most pixels are copied");
+    Expect(mapper->GetStatistics()->GetNumberOfPossibleHits() + copied ==
+        mapper->GetStatistics()->GetNumberOfRays(),
       kind.Name + ": every pixel is counted");
-    Expect(mapper->GetNumberOfDefiniteHits() > 0 && mapper->GetNumberOfTracedRays() > 0,
+    Expect(mapper->GetStatistics()->GetNumberOfDefiniteHits() > 0 &&
+        mapper->GetStatistics()->GetNumberOfTracedRays() > 0,
       kind.Name + ": some are traced, some are not");
   }
   // What was copied serves as any other picture.
@@ -255,9 +260,9 @@ void TestMovingBlob(const Kind& kind)
   series.Expect("Reshade", kind.Name + ", shaded again");
   series.Step(2.5, "TimeStep", kind.Name + ", moved on after that");
   series.Step(2.5, "Redisplay", kind.Name + ", stays");
-  mapper->ImageCacheOff();
+  mapper->ReuseFramesOff();
   series.Step(2.75, "Cold", kind.Name + ", image cache off");
-  mapper->ImageCacheOn();
+  mapper->ReuseFramesOn();
   series.Step(3.0, "TimeStep", kind.Name + ", and on");
   mapper->SetReuseAccuracyToExact();
   series.Step(3.25, "TimeStep", kind.Name + ", exact");
@@ -328,10 +333,11 @@ void TestOutsideOfTheView()
     Expect(scene.Render(Width, Height) && cold.Draw(scene) && cold.IsIdentical(scene),
       "outside of the view: the cold picture");
     Expect(IsRoute(scene, step < 2 ? "Cold" : "TimeStep"),
-      std::string("outside of the view: ") + scene.Mapper->GetRouteAsString());
-    Expect(step < 2 || scene.Mapper->GetNumberOfTracedRays() == 0, "nothing is traced");
+      std::string("outside of the view: ") + scene.Mapper->GetStatistics()->GetRouteAsString());
+    Expect(
+      step < 2 || scene.Mapper->GetStatistics()->GetNumberOfTracedRays() == 0, "nothing is traced");
   }
-  Expect(scene.Mapper->GetNumberOfDefiniteHits() > 0, "something is seen");
+  Expect(scene.Mapper->GetStatistics()->GetNumberOfDefiniteHits() > 0, "something is seen");
 }
 
 /// Single samples at random, at random times: in one place, to old values and to new ones.
@@ -409,7 +415,7 @@ Sweep::Routes Wander(const Kind& kind, unsigned seed, int steps)
     Expect(!writes || cold.IsDepthIdentical(scene), what + ": stale");
     Expect(!writes || scene.Mapper->GetColorByAnswer() || cold.IsColorIdentical(scene),
       what + ": stale colours");
-    ++routes[scene.Mapper->GetRouteAsString()];
+    ++routes[scene.Mapper->GetStatistics()->GetRouteAsString()];
     if (views.Pick(3) == 0)
     {
       ExpectRefined(scene, views, cold, what);
@@ -439,13 +445,12 @@ void TestTwoViewers()
     copies += IsRoute(scene, "TimeStep");
     if (step % 3 == 0)
     {
-      Expect(scene.Mapper->RenderToImage(other, scene.Volume, Width, Height, color, depth),
+      Expect(scene.Mapper->MakeImage(other, scene.Volume, Width, Height, color, depth),
         "rendered for the second viewer");
       copies += IsRoute(scene, "TimeStep");
       cold.Mapper->SetInputDataObject(scene.Mapper->GetInputDataObject(0, 0));
-      cold.Mapper->ReleaseReuse();
-      Expect(
-        cold.Mapper->RenderToImage(other, scene.Volume, Width, Height, cold.Color, cold.Depth) &&
+      cold.Mapper->ClearCache();
+      Expect(cold.Mapper->MakeImage(other, scene.Volume, Width, Height, cold.Color, cold.Depth) &&
           AreIdentical(color, cold.Color) && AreIdentical(depth, cold.Depth),
         "the second viewer: not the cold picture");
     }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Coarser frames: by a distance that is set, or by the time that a frame is given.
+// Frames are coarser where a distance between rays is set, or where the time that a frame is given
+// asks for it.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
@@ -34,7 +35,7 @@ struct Stage : Scene
     this->Window->AddRenderer(this->Renderer);
   }
   void Turn() { this->Renderer->GetActiveCamera()->Azimuth(0.5); }
-  vtkIdType Rays() { return this->Mapper->GetNumberOfRays(); }
+  vtkIdType Rays() { return this->Mapper->GetStatistics()->GetNumberOfRays(); }
   vtkNew<vtkRenderWindow> Window;
 };
 

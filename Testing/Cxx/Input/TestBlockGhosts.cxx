@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Nothing is seen in cells that no block has, owns and shows; of several blocks with a sample, the
+// Nothing is seen in cells that no block has, owns and shows. Of several blocks with a sample, the
 // owner's counts.
 
 #include "Truth/Agreement.h"

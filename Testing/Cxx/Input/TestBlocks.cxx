@@ -205,7 +205,7 @@ void TestChanges()
   expect("scalars of cells");
   several.Mapper->SetScalarModeToDefault();
   expect("scalars of points");
-  several.Mapper->ReleaseReuse();
+  several.Mapper->ClearCache();
   Expect(several.Render(Size, Size) && IsRoute(several, "Cold"), "all is forgotten");
   several.Mapper->SetInputDataObject(whole);
   Scene one(whole, { 60.0 });

@@ -47,16 +47,17 @@ Grid Hexahedra(vtkImageData* image)
 void ExpectSetUp(const std::string& name, Scene& scene, int expected)
 {
   Expect(scene.Render(70, 60), name + ": rendered");
-  Expect(scene.Mapper->GetMeshSetUp() == expected,
-    name + ": set up " + std::to_string(scene.Mapper->GetMeshSetUp()) + ", not " +
+  Expect(scene.Mapper->GetStatistics()->GetMeshSetUp() == expected,
+    name + ": set up " + std::to_string(scene.Mapper->GetStatistics()->GetMeshSetUp()) + ", not " +
       std::to_string(expected));
   Scene cold(nullptr, { 60.0 });
   cold.Mapper->SetInputDataObject(scene.Mapper->GetDataObjectInput());
-  cold.Mapper->SetAveragedGradients(scene.Mapper->GetAveragedGradients());
+  cold.Mapper->SetSmoothMeshNormals(scene.Mapper->GetSmoothMeshNormals());
   cold.Mapper->SetScalarMode(scene.Mapper->GetScalarMode());
   cold.Mapper->SelectScalarArray(scene.Mapper->GetArrayName());
   cold.Renderer->GetActiveCamera()->DeepCopy(scene.Renderer->GetActiveCamera());
-  Expect(cold.Render(70, 60) && cold.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT, name + ": cold");
+  Expect(cold.Render(70, 60) && cold.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_BUILT,
+    name + ": cold");
   Expect(AreIdentical(cold.Color, scene.Color) && AreIdentical(cold.Depth, scene.Depth),
     name + ": not the cold picture");
 }
@@ -67,7 +68,9 @@ void TestChanges()
   Scene scene(grid, { 60.0 });
   scene.LookFrom(1.0, 2.0, 0.7);
   ExpectSetUp("first", scene, Mapper::MESH_BUILT);
-  Expect(scene.Mapper->GetMeshMemory() > 0 && scene.Mapper->GetMeshSetUpTime() > 0.0, "told");
+  Expect(scene.Mapper->GetStatistics()->GetMeshMemory() > 0 &&
+      scene.Mapper->GetStatistics()->GetMeshSetUpTime() > 0.0,
+    "told");
   ExpectSetUp("again", scene, Mapper::MESH_KEPT);
   scene.Renderer->GetActiveCamera()->Azimuth(20.0);
   ExpectSetUp("another view", scene, Mapper::MESH_KEPT);
@@ -112,9 +115,9 @@ void TestChanges()
   }
   grid->GetCells()->Modified();
   ExpectSetUp("a cell", scene, Mapper::MESH_BUILT);
-  scene.Mapper->AveragedGradientsOn();
+  scene.Mapper->SmoothMeshNormalsOn();
   ExpectSetUp("averaged gradients", scene, Mapper::MESH_KEPT);
-  scene.Mapper->ReleaseReuse();
+  scene.Mapper->ClearCache();
   ExpectSetUp("released", scene, Mapper::MESH_BUILT);
 }
 
@@ -143,7 +146,8 @@ void TestTimeSteps()
   third = nullptr;
   ExpectSetUp("other cells", scene, Mapper::MESH_BUILT);
   scene.Mapper->SetInputData(Waves());
-  Expect(scene.Render(70, 60) && scene.Mapper->GetMeshSetUp() == Mapper::MESH_NONE, "an image");
+  Expect(scene.Render(70, 60) && scene.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_NONE,
+    "an image");
 }
 
 /// VTK moves the numbers of an array that grows or shrinks, and its time stays the same.
@@ -196,8 +200,8 @@ void TestTwoRenderers()
   other->GetActiveCamera()->SetPosition(-3.0, 1.0, 1.0);
   other->ResetCamera();
   vtkNew<vtkImageData> frame;
-  Expect(scene.Mapper->RenderToImage(other, scene.Volume, 50, 40, frame) &&
-      scene.Mapper->GetMeshSetUp() == Mapper::MESH_KEPT,
+  Expect(scene.Mapper->MakeImage(other, scene.Volume, 50, 40, frame) &&
+      scene.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_KEPT,
     "another renderer");
 }
 
@@ -247,7 +251,9 @@ void TestProgress()
   Expect(AreIdentical(before, scene.Color), "the last picture stays");
   Expect(scene.Mapper->PickCell(20, 20, nullptr) >= 0, "and can be picked");
   Listener listener(scene.Mapper);
-  Expect(scene.Render(40, 40) && scene.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT, "set up");
+  Expect(
+    scene.Render(40, 40) && scene.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_BUILT,
+    "set up");
   bool rises = !listener.Told.empty();
   for (std::size_t i = 1; i < listener.Told.size(); ++i)
   {

@@ -225,8 +225,10 @@ void TestCellScalars()
   ExpectImage("scalars of a curvilinear grid", VtkMeshes::Curvilinear(cells), means, 0.9);
 
   Scene averaged(VtkMeshes::Explicit(cells), { 0.9 }), plain(VtkMeshes::Explicit(means), { 0.9 });
-  Expect(averaged.Render(40, 40) && averaged.Mapper->GetScalarsWereAveraged(), "told of averages");
-  Expect(plain.Render(40, 40) && !plain.Mapper->GetScalarsWereAveraged(), "told of no averages");
+  Expect(averaged.Render(40, 40) && averaged.Mapper->GetStatistics()->GetScalarsWereAveraged(),
+    "told of averages");
+  Expect(plain.Render(40, 40) && !plain.Mapper->GetStatistics()->GetScalarsWereAveraged(),
+    "told of no averages");
 }
 
 }

@@ -303,7 +303,8 @@ void TestNothingHidden()
     "flags that hide nothing: another picture");
   scene.SetIsovalues({ 210.0 });
   Expect(scene.Render(80, 60) && IsRoute(scene, "IsomapBuild"),
-    "flags that hide nothing: the route is " + std::string(scene.Mapper->GetRouteAsString()));
+    "flags that hide nothing: the route is " +
+      std::string(scene.Mapper->GetStatistics()->GetRouteAsString()));
 
   Ghosts::FlagCells(image, [](int, int, int) { return Attributes::HIDDENCELL; });
   for (const int mode : { Mapper::CROSSING, Mapper::THRESHOLD })
@@ -327,7 +328,7 @@ void TestChanges()
   const auto expectChange = [&](const std::string& what)
   {
     Expect(scene.Render(80, 60) && IsRoute(scene, "Cold"),
-      what + ": the route is " + scene.Mapper->GetRouteAsString());
+      what + ": the route is " + scene.Mapper->GetStatistics()->GetRouteAsString());
     BruteForceTracer truth(image, scene.Volume);
     truth.Isovalues = { 200.0 };
     const Agreement agreement = CompareWithTruth(scene, truth);
@@ -411,50 +412,6 @@ void TestSweeps()
   }
 }
 
-/// Frames from one another around a volume keep what BOUNDED promises.
-void Orbit(Subject subject, int size)
-{
-  subject.IsGrid = subject.IsNearest = true;
-  Scene scene(subject.Image, subject.Isovalues);
-  subject.Prepare(scene);
-  scene.Mapper->SetReuseAccuracyToBounded();
-  scene.LookFrom(-1.0, -2.0, 0.8);
-  ColdWitness cold;
-  std::vector<double> shares;
-  int fromCache = 0;
-  for (int frame = 0; frame < 100; ++frame)
-  {
-    scene.Renderer->GetActiveCamera()->Azimuth(1.5);
-    scene.Renderer->ResetCameraClippingRange();
-    Expect(scene.Render(size, size) && cold.Draw(scene), "an orbit: rendered");
-    fromCache += IsRoute(scene, "ImageCache");
-    shares.push_back(static_cast<double>(cold.CountDifferent(scene)) / (size * size));
-  }
-  std::sort(shares.begin(), shares.end());
-  const std::string what =
-    "orbit, " + subject.Describe() + ", " + std::to_string(size) + " pixels: ";
-  std::cout << what << fromCache
-            << " frames from the cache, share of pixels that differ: " << shares[50]
-            << " in the median, at most " << shares.back() << '\n';
-  Expect(fromCache == 99, what + "frames are not from the cache");
-  Expect(shares[50] <= 1e-4, what + "more than 0.01 % differ in the median frame");
-  Expect(shares.back() <= 5e-4, what + "more than 0.05 % differ in a frame");
-}
-
-void TestOrbits()
-{
-  for (const Hiding& hiding : AllHidings())
-  {
-    for (const int mode : { Mapper::CROSSING, Mapper::THRESHOLD })
-    {
-      Subject subject = { "Waves without " + hiding.Name, Volumes::Waves(), { 200.0 }, mode };
-      hiding.Hide(subject.Image);
-      Orbit(subject, 160); // pixels of a third of a voxel
-      Orbit(subject, 70);  // of nine tenths
-    }
-  }
-}
-
 /// Changes of all kinds in random order, of ghost arrays among them.
 void TestRandomChanges(unsigned seed, int steps)
 {
@@ -481,7 +438,6 @@ int TestHiddenCells(int, char*[])
   TestChanges();
   TestMistakes();
   TestSweeps();
-  TestOrbits();
   for (const unsigned seed : { 3u, 4u })
   {
     TestRandomChanges(seed, 600);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which array is drawn: of points or cells, by every scalar mode, and which of its components, by
-// VectorMode and by the volume's property. What is not compared with brute force is compared with a
-// plain image of the same samples, to the last bit.
+// The array that is asked for is drawn: of points or cells, by every scalar mode, and the component
+// of it that VectorMode or the property names. Pictures agree with brute force or with those of
+// plain images.
 
 #include "Scenes/Mistake.h"
 #include "Truth/Agreement.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Masks (SetMaskInput): a cell is hidden none of whose samples a mask shows. Compared with brute
-// force, for all kinds of masks and inputs.
+// A mask hides a cell if it shows none of its samples. Pictures agree with brute force, for all
+// kinds of masks and inputs.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"

@@ -46,7 +46,7 @@ void TestChanges()
   const auto expectChange = [&](const std::string& what, vtkImageData* mask)
   {
     Expect(scene.Render(80, 60) && IsRoute(scene, "Cold"),
-      what + ": the route is " + scene.Mapper->GetRouteAsString());
+      what + ": the route is " + scene.Mapper->GetStatistics()->GetRouteAsString());
     BruteForceTracer truth(image, scene.Volume);
     truth.Isovalues = { 200.0 };
     if (mask)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Frames of data with samples that are not numbers: every route makes the cold picture.
+// Every route makes the cold picture of data with samples that are not numbers.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
@@ -72,7 +72,7 @@ void ExpectSteps(const std::string& what, const Sort& sort, bool areCells)
       ColdWitness cold;
       Expect(scene.Render(70, 60) && cold.Draw(scene) && cold.IsIdentical(scene),
         what + ", step " + std::to_string(step) + ": not the cold picture, but that of " +
-          scene.Mapper->GetRouteAsString());
+          scene.Mapper->GetStatistics()->GetRouteAsString());
     }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Samples that are not numbers: their cells are hidden, as flagged ones are, on every kind of data.
+// Samples that are not numbers hide their cells, as flags do, on every kind of data.
 
 #include "Checks/Expect.h"
 #include "MissingSamples.h"

@@ -107,7 +107,7 @@ void TestRoutes(const std::string& name, vtkRectilinearGrid* grid, unsigned seed
   std::map<std::string, int> routes;
   Scene scene(grid, { 100.0 });
   ColdWitness cold;
-  scene.Mapper->SetReuseAccuracyToBounded();
+  scene.Mapper->SetReuseAccuracyToPaper();
   scene.Volume->GetProperty()->SetInterpolationTypeToNearest();
   RandomViews views(scene, seed, 140);
   const std::vector<Change> moves = ChangesOfView(scene, views);
@@ -148,7 +148,7 @@ void TestRoutes(const std::string& name, vtkRectilinearGrid* grid, unsigned seed
     const Change& change = pickOf(views.Pick(3) ? moves : others);
     change.Make();
     Expect(views.Render(), what + ": rendered");
-    ++routes[scene.Mapper->GetRouteAsString()];
+    ++routes[scene.Mapper->GetStatistics()->GetRouteAsString()];
     Expect(!change.IsOfData || step == 0 || IsRoute(scene, "Cold"), what + ": data changed");
     ExpectPromise(scene, cold, what);
     if (views.Pick(4) == 0)
@@ -161,7 +161,7 @@ void TestRoutes(const std::string& name, vtkRectilinearGrid* grid, unsigned seed
   Expect(routes["IsomapBuild"] + routes["IsomapLookup"] > 10, name + ": too few isomaps");
 }
 
-/// Lengths of vectors are computed once, and nothing of a grid is kept after ReleaseReuse.
+/// Lengths of vectors are computed once, and nothing of a grid is kept after ClearCache.
 void TestVectors()
 {
   const auto positive = [](double x, double y, double z) { return std::max(BlobAt(x, y, z), 0.0); };
@@ -195,7 +195,7 @@ void TestVectors()
   Expect(different <= 2, "vectors: " + std::to_string(different) + " pixels differ");
 
   const int references = vectors->GetReferenceCount();
-  scene.Mapper->ReleaseReuse();
+  scene.Mapper->ClearCache();
   Expect(vectors->GetReferenceCount() < references, "the arrays of a grid are let go");
 }
 

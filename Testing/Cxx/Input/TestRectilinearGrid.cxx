@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rectilinear grids: the surfaces of their own samples, where these lie, compared with brute force
-// and against spheres.
+// Surfaces of rectilinear grids lie where their samples put them, by brute force and against
+// spheres.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// One rule for all kinds of data: samples of whole numbers, which often equal the isovalue, show
-// the same surfaces as an image, as a rectilinear grid, and as hexahedra and voxels.
+// Samples of whole numbers, which often equal the isovalue, show the same surfaces as an image, as
+// a rectilinear grid, and as hexahedra and voxels.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

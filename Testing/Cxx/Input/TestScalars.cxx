@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What samples may be: all scalar types, one of several components, arrays by name, component-wise
-// memory, values that are not numbers.
+// Samples of all scalar types, of one of several components, in arrays by name and in
+// component-wise memory, NaN among them, agree with brute force.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

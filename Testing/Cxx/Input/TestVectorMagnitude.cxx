@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// VectorMode MAGNITUDE: the picture of an image of the lengths, which are computed once.
+// MAGNITUDE draws the picture of an image of the lengths, which are computed once.
 
 #include "Truth/ColdWitness.h"
 #include "Truth/PlainImages.h"

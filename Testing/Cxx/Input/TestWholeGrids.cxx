@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Grids of small whole values, as noise and label maps have them, seen along their axes: there rays
-// meet borders of cells, and many functions are exactly 0 there.
+// In grids of small whole values, as noise and label maps have them, seen along their axes, no hit
+// is invented and none is missed.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

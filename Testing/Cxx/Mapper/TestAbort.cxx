@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Frames tell how far they are and can be stopped: the last picture stays, and what is made next is
+// Frames tell how far they are and can be stopped. The last picture stays, and what is made next is
 // as if nothing had been.
 
 #include "Checks/EventCounter.h"
@@ -161,7 +161,7 @@ void TestEvents()
     const Recorder recorder(stage.Mapper);
     stage.Window->Render();
     Expect(IsRoute(stage, step.Route),
-      step.Route + ": taken, but it was " + stage.Mapper->GetRouteAsString());
+      step.Route + ": taken, but it was " + stage.Mapper->GetStatistics()->GetRouteAsString());
     Expect(recorder.IsOneFrame() && recorder.Progress.back() == 1.0 && recorder.IsMade,
       step.Route + ": start, progress, end");
     Expect(recorder.Progress.size() > 5,
@@ -194,8 +194,10 @@ void TestSamePicture()
     step.Change(alone);
     Expect(heard.Render(Size, Size) && alone.Render(Size, Size), step.Route + ": rendered");
     Expect(AreIdentical(heard.Color, alone.Color) && AreIdentical(heard.Depth, alone.Depth) &&
-        heard.Mapper->GetNumberOfFieldSamples() == alone.Mapper->GetNumberOfFieldSamples() &&
-        heard.Mapper->GetNumberOfDefiniteMisses() == alone.Mapper->GetNumberOfDefiniteMisses(),
+        heard.Mapper->GetStatistics()->GetNumberOfFieldSamples() ==
+          alone.Mapper->GetStatistics()->GetNumberOfFieldSamples() &&
+        heard.Mapper->GetStatistics()->GetNumberOfDefiniteMisses() ==
+          alone.Mapper->GetStatistics()->GetNumberOfDefiniteMisses(),
       step.Route + ": the same picture in parts");
   }
 }
@@ -214,8 +216,8 @@ void TestStopped()
       const std::string what = step.Route + ", stopped at " + std::to_string(stopAt);
       vtkNew<vtkImageData> color, depth;
       stage.GetLastFrame(color, depth);
-      const std::string route = stage.Mapper->GetRouteAsString();
-      const vtkIdType samples = stage.Mapper->GetNumberOfFieldSamples();
+      const std::string route = stage.Mapper->GetStatistics()->GetRouteAsString();
+      const vtkIdType samples = stage.Mapper->GetStatistics()->GetNumberOfFieldSamples();
       step.Change(stage);
       {
         std::size_t reports = 0;
@@ -234,7 +236,7 @@ void TestStopped()
           what + ": events");
       }
       Expect(IsLastFrame(stage, color, depth) && IsRoute(stage, route) &&
-          stage.Mapper->GetNumberOfFieldSamples() == samples,
+          stage.Mapper->GetStatistics()->GetNumberOfFieldSamples() == samples,
         what + ": the last frame and what is told of it stay");
 
       // The next frame, and one of an image on the same machine that was never stopped.
@@ -243,7 +245,8 @@ void TestStopped()
       stage.Window->Render();
       Expect(IsRoute(stage, step.Route) ||
           (step.Route == "IsomapBuild" && IsRoute(stage, "IsomapLookup")),
-        what + ": the next frame takes the route, but it was " + stage.Mapper->GetRouteAsString());
+        what + ": the next frame takes the route, but it was " +
+          stage.Mapper->GetStatistics()->GetRouteAsString());
       Expect(IsLastFrame(stage, alone.Color, alone.Depth), what + ": the next frame is right");
     }
     Expect(errors.Count == 0, "stopping is no error");
@@ -308,13 +311,13 @@ void TestBusy()
   const double p1[3] = { -9.0, 0.0, 0.0 }, p2[3] = { 9.0, 0.0, 0.0 };
   double t;
   const std::vector<std::pair<std::string, std::function<bool()>>> calls = {
-    { "ReleaseReuse",
+    { "ClearCache",
       [&]
       {
-        stage.Mapper->ReleaseReuse();
+        stage.Mapper->ClearCache();
         return false;
       } },
-    { "RenderToImage", [&] { return stage.Render(10, 10); } },
+    { "MakeImage", [&] { return stage.Render(10, 10); } },
     { "BuildIsomap", [&] { return stage.Mapper->BuildIsomap(stage.Renderer, stage.Volume); } },
     { "IntersectWithLine",
       [&] {

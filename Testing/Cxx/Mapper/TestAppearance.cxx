@@ -290,7 +290,8 @@ void TestColorWindow()
   stage.Drawn.Mapper->SetFinalColorWindow(0.5f);
   stage.Drawn.Mapper->SetFinalColorLevel(0.25f);
   expect({ 102, 153, 255, 255 }, "the darker half of them");
-  Expect(std::string(stage.Drawn.Mapper->GetRouteAsString()) == "Reshade", "traced again");
+  Expect(std::string(stage.Drawn.Mapper->GetStatistics()->GetRouteAsString()) == "Reshade",
+    "traced again");
   stage.Drawn.Mapper->SetFinalColorWindow(-1.0f);
   stage.Drawn.Mapper->SetFinalColorLevel(0.5f);
   expect({ 204, 179, 26, 255 }, "turned round");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// An empty picture whose reason is known says it, once.
+// An empty picture whose reason is known tells it once.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

@@ -243,10 +243,8 @@ void TestNullArguments()
   vtkNew<vtkTest::ErrorObserver> observer;
   scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
   Expect(!scene.Mapper->PickPixel(0, 0, nullptr, nullptr, nullptr), "no frame yet");
-  Expect(
-    !scene.Mapper->RenderToImage(nullptr, scene.Volume, 9, 9, nullptr, nullptr), "no renderer");
-  Expect(
-    !scene.Mapper->RenderToImage(scene.Renderer, nullptr, 9, 9, nullptr, nullptr), "no volume");
+  Expect(!scene.Mapper->MakeImage(nullptr, scene.Volume, 9, 9, nullptr, nullptr), "no renderer");
+  Expect(!scene.Mapper->MakeImage(scene.Renderer, nullptr, 9, 9, nullptr, nullptr), "no volume");
   Expect(observer->GetError(), "said");
   observer->Clear();
   scene.Mapper->Render(nullptr, scene.Volume);
@@ -259,18 +257,18 @@ void TestNullArguments()
       observer->GetError(),
     "no line");
   Expect(scene.Mapper->IsOpaque(nullptr), "nothing hides nothing");
-  Expect(scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, nullptr, nullptr),
+  Expect(scene.Mapper->MakeImage(scene.Renderer, scene.Volume, 9, 9, nullptr, nullptr),
     "images are optional");
   observer->Clear();
   vtkNew<vtkImageData> frame;
-  Expect(!scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, nullptr) &&
-      observer->GetErrorMessage().find("RenderToImage got null for the frame; give") !=
+  Expect(!scene.Mapper->MakeImage(scene.Renderer, scene.Volume, 9, 9, nullptr) &&
+      observer->GetErrorMessage().find("MakeImage got null for the frame; give") !=
         std::string::npos,
     "no image for a frame");
   observer->Clear();
-  Expect(!scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, frame, frame) &&
+  Expect(!scene.Mapper->MakeImage(scene.Renderer, scene.Volume, 9, 9, frame, frame) &&
       observer->GetErrorMessage().find(
-        "RenderToImage got the same image for colors and depths; give") != std::string::npos,
+        "MakeImage got the same image for colors and depths; give") != std::string::npos,
     "one image for two");
   observer->Clear();
   Expect(!scene.Mapper->GetVisibleSurface(nullptr) &&
@@ -317,7 +315,7 @@ void TestMultiVolume()
     several->SetVolume(hasVolume ? scene.Volume.Get() : nullptr, 0);
     for (int i = 0; i < 2; ++i)
     {
-      Expect(!scene.Mapper->RenderToImage(scene.Renderer, several, 60, 60, nullptr, nullptr),
+      Expect(!scene.Mapper->MakeImage(scene.Renderer, several, 60, 60, nullptr, nullptr),
         "vtkMultiVolume: drawn");
     }
     Expect(scene.Mapper->IsOpaque(several), "vtkMultiVolume: nothing hides nothing");

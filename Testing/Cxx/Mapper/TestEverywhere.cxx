@@ -81,7 +81,10 @@ struct Stage
     return vtkTemporalCoherenceGPUVolumeRayCastMapper::SafeDownCast(this->Mapper);
   }
 
-  std::string Route() { return this->Door()->GetIsosurfaceMapper()->GetRouteAsString(); }
+  std::string Route()
+  {
+    return this->Door()->GetIsosurfaceMapper()->GetStatistics()->GetRouteAsString();
+  }
 
   vtkNew<vtkUnsignedCharArray> Draw()
   {
@@ -205,7 +208,8 @@ void TestSwitching()
     {
       ++isosurfaces;
       auto* mapper = vtkTemporalCoherenceVolumeMapper::SafeDownCast(ours.Mapper);
-      Expect(door.Route() == mapper->GetRouteAsString(), "the route is that of our mapper alone");
+      Expect(door.Route() == mapper->GetStatistics()->GetRouteAsString(),
+        "the route is that of our mapper alone");
     }
   }
   Expect(isosurfaces > 20 && isosurfaces < 80 && shown > 60, "both drew, and something was seen");
@@ -227,7 +231,7 @@ void TestReuse()
     const auto expect = [&](const std::string& route)
     {
       stage.Window->Render();
-      const std::string made = door->GetIsosurfaceMapper()->GetRouteAsString();
+      const std::string made = door->GetIsosurfaceMapper()->GetStatistics()->GetRouteAsString();
       Expect(made == route, what + ": the route is " + made + " instead of " + route);
     };
     vtkContourValues* isovalues = stage.Volume->GetProperty()->GetIsoSurfaceValues();
@@ -301,7 +305,7 @@ void TestWhatIsLeftToVtk()
       stage.Volume->GetProperty()->SetTransferFunction2D(table);
       stage.Volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
     });
-  ExpectLeftToVtk("RenderToImage is on", [&](Stage& stage) { gpu(stage)->RenderToImageOn(); });
+  ExpectLeftToVtk("MakeImage is on", [&](Stage& stage) { gpu(stage)->RenderToImageOn(); });
   ExpectLeftToVtk("there are several inputs",
     [&](Stage& stage)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Isovalues that no sample can meet get one warning with range and remedy, where the mapper knows
-// all of the data; and nothing else gets one.
+// all of the data. Nothing else gets one.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"

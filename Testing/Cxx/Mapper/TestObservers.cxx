@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Observers do odd things while a frame is made: it is the frame that was asked for.
+// Whatever observers do while a frame is made, it is the frame that was asked for.
 
 #include "Checks/Expect.h"
 #include "Checks/Meddler.h"
@@ -56,7 +56,7 @@ void TestNextFrame()
   scene.LookFrom(1.0, 2.0, 0.5);
   vtkNew<vtkImageData> small;
   const Meddler meddler(scene.Mapper, vtkCommand::VolumeMapperRenderEndEvent, 0,
-    [&] { scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 8, 7, small, nullptr); });
+    [&] { scene.Mapper->MakeImage(scene.Renderer, scene.Volume, 8, 7, small, nullptr); });
   Expect(scene.Render(60, 60) && meddler.IsDone, "rendered");
   Expect(small->GetNumberOfPoints() == 56, "and the next frame");
   Expect(scene.Color->GetNumberOfPoints() == 3600 && scene.Depth->GetNumberOfPoints() == 3600,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Picks hit what is seen: lines through many pixels against the pixels and brute force, and what
-// the picker tells against vtkVolumePicker where that can find the same surface.
+// Picks hit what is seen. They agree with the pixels, with brute force, and with vtkVolumePicker
+// where that can find the same surface.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
@@ -65,7 +65,7 @@ struct PixelLine
 void ExpectLinesHitPixels(const std::string& what, Scene& scene, const BruteForceTracer& truth)
 {
   constexpr int Width = 83, Height = 61;
-  scene.Mapper->ReleaseReuse();
+  scene.Mapper->ClearCache();
   Expect(scene.Render(Width, Height), what + ": rendered");
   vtkNew<vtkTemporalCoherenceVolumeMapper> bare;
   bare->SetInputData(vtkImageData::SafeDownCast(scene.Mapper->GetInput()));
@@ -271,7 +271,7 @@ void TestAgainstPixels()
   vtkNew<vtkTemporalCoherencePicker> picker;
   vtkNew<vtkCellPicker> plain;
   scene.Pick(picker, Size / 2, Size / 2);
-  Expect(scene.Mapper->GetNumberOfRays() == 0, "picked without a frame");
+  Expect(scene.Mapper->GetStatistics()->GetNumberOfRays() == 0, "picked without a frame");
   Expect(scene.Render(Size, Size), "rendered");
   auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetInput());
   int hits = 0, different = 0, plainHits = 0;

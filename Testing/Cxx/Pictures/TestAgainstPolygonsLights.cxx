@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Lights of every kind on a volume and on the same surface as polygons: what is lit, and how much.
-// With the scenes of TestGPURayCastPositionalLights and VolumeLightKit.
+// Lights of every kind light a volume as they light the same surface of polygons, also in the
+// scenes of VTK's TestGPURayCastPositionalLights and VolumeLightKit.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The scenes of VTK's own volume mapper tests that vary what is drawn, each against the same
-// surfaces as polygons (vtkFlyingEdges3D) in the same window: TestGPURayCastIsosurface,
-// ChangedArray, VolumePlane, VolumeUpdate, PerspectiveParallel.
+// In scenes of VTK's tests that vary what is drawn, outlines are within a pixel of those of
+// polygons (vtkFlyingEdges3D), and median colours within 3/255.
+//
+// Scenes: TestGPURayCastIsosurface, ChangedArray, VolumePlane, VolumeUpdate, PerspectiveParallel.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

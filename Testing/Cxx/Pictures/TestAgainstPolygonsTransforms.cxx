@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The scenes of VTK's own volume mapper tests that vary where the volume and the viewer are, each
-// against the same surfaces as polygons: TestGPURayCastOrientedVolume, VolumeRotation, VolumeScale,
-// VolumeOrientation, CameraInside, CameraInsideSmallSpacing, CameraInsideTransformation,
+// In scenes of VTK's tests that vary where volume and viewer are, outlines are within a pixel of
+// those of polygons, and median colours within 3/255.
+//
+// Scenes: TestGPURayCastOrientedVolume, VolumeRotation, VolumeScale, VolumeOrientation,
+// CameraInside, CameraInsideSmallSpacing, CameraInsideTransformation,
 // CameraInsideNonUniformScaleTransform.
 
 #include "Checks/Expect.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The contract of a cold frame: hit or miss agrees with a double-precision brute-force tracer for
-// at least 99.99 % of the pixels, depth to 1e-3 voxel for at least 99.9 % of the hits.
+// In a cold frame, hit or miss agrees with a double-precision brute-force tracer for at least 99.99
+// % of the pixels, depth to 1e-3 voxel for at least 99.9 % of the hits.
 
 #include "Checks/Expect.h"
 #include "Checks/Skip.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Lengths far beyond those of any volume: what is found by leaping is what is found without.
+// With lengths far beyond those of any volume, leaping finds what is found without it.
 
 #include "Checks/Expect.h"
 #include "Truth/ColdWitness.h"
@@ -34,7 +34,7 @@ vtkIdType ExpectSameByLeaping(Scene& scene, const std::string& what)
 {
   ColdWitness plain;
   plain.Mapper->SpaceLeapingOff();
-  scene.Mapper->ReleaseReuse();
+  scene.Mapper->ClearCache();
   Expect(scene.Render(33, 28) && plain.Draw(scene), what + ": rendered");
   Expect(plain.IsIdentical(scene), what + ": another picture by leaping");
   return CountHits(plain.Depth);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Features that meet in one picture, against brute force: inputs of all kinds, cropped to pieces,
+// Features that meet in one picture agree with brute force: inputs of all kinds, cropped to pieces,
 // clipped, with cells hidden, opaque and translucent.
 
 #include "Checks/Expect.h"

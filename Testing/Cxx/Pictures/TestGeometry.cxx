@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where a volume and a camera may be: every transform, projection and image geometry that VTK has,
-// each compared with brute force.
+// Pictures agree with brute force under every transform, projection and image geometry that VTK
+// has.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The scenario of VTK's TestGPURayCastIsosurface on this mapper: the default list of isovalues, one
-// contour, none, three, on a wavelet of 201^3, in a window, without errors; and each picture right.
+// VTK's scenario TestGPURayCastIsosurface runs without errors, and each picture is right: the
+// default list of isovalues, one contour, none and three, in a window.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A few whole pictures against stored ones: what the numbers of the other tests do not see, such as
-// light and colour. A picture that differs is left in the temporary directory of the tests.
+// A few whole pictures are like stored ones: light and colour, which the numbers of other tests do
+// not see. A picture that differs is left in the temporary directory of the tests.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The arrays of a frame in one image, and the surface that it shows as points.
+// The arrays of a frame in one image, and the points of its surface, are what the pixels show.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
@@ -47,7 +47,7 @@ struct Planes
 {
   bool Render(Scene& scene, int width, int height)
   {
-    return scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, width, height, this->Image);
+    return scene.Mapper->MakeImage(scene.Renderer, scene.Volume, width, height, this->Image);
   }
   bool Get(Scene& scene) { return scene.Mapper->GetLastFrame(this->Image); }
   double At(const char* array, int x, int y, int component = 0) const
@@ -185,7 +185,7 @@ void TestPlanesOfImage()
     }
     Expect(some->GetOrigin()[0] == 0.0 && some->GetSpacing()[0] == 1.0, what + ": a pixel is 1");
   }
-  scene.Mapper->ReleaseReuse();
+  scene.Mapper->ClearCache();
   Expect(!planes.Get(scene), "forgotten");
   ExpectArrays("forgotten", planes.Image, Mapper::FRAME_ALL, 90, 70);
 }
@@ -234,7 +234,8 @@ void TestAnswers()
   Expect(planes.Render(scene, 120, 120), "rendered");
   scene.Renderer->GetActiveCamera()->Azimuth(1.0);
   Expect(planes.Render(scene, 120, 120), "rendered");
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "ImageCache", "from the cache");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "ImageCache",
+    "from the cache");
   std::array<vtkIdType, 3> counts{};
   for (int y = 0; y < 120; ++y)
   {
@@ -243,9 +244,9 @@ void TestAnswers()
       ++counts[static_cast<std::size_t>(planes.At("Answer", x, y))];
     }
   }
-  Expect(counts[0] == scene.Mapper->GetNumberOfDefiniteMisses() &&
-      counts[1] == scene.Mapper->GetNumberOfDefiniteHits() &&
-      counts[2] == scene.Mapper->GetNumberOfPossibleHits(),
+  Expect(counts[0] == scene.Mapper->GetStatistics()->GetNumberOfDefiniteMisses() &&
+      counts[1] == scene.Mapper->GetStatistics()->GetNumberOfDefiniteHits() &&
+      counts[2] == scene.Mapper->GetStatistics()->GetNumberOfPossibleHits(),
     "answers add up to the counters");
   Expect(counts[0] > 0 && counts[1] > 0 && counts[2] > 0, "every answer is there");
 }

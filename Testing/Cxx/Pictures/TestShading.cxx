@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Normals against brute force under transforms that treat them unlike points, and colours against
+// Normals agree with brute force under transforms that treat them unlike points, and colours with
 // the Phong formula written out once more, light by light.
 
 #include "Checks/Expect.h"
@@ -226,7 +226,8 @@ void TestLights()
   ExpectPhong(scene, { sun, lamp }, "a lamp with a cone of 90 degrees");
   scene.Renderer->AddLight(spot);
   ExpectPhong(scene, { sun, lamp, spot }, "and a spot");
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Reshade", "lights only shade again");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Reshade",
+    "lights only shade again");
 }
 
 /// Without two-sided lighting a ball is lit by its outside: unlit where it is seen from inside by a
@@ -251,7 +252,8 @@ void TestOneSided()
   Expect(isNear(red(), 0.9 * full), "two-sided: lit from inside");
   scene.Renderer->TwoSidedLightingOff();
   Expect(isNear(red(), 0.2 * full), "one-sided: not lit from inside");
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Reshade", "only shaded again");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Reshade",
+    "only shaded again");
   vtkNew<vtkLight> behind;
   behind->SetLightTypeToSceneLight();
   behind->SetPosition(0.0, 0.0, -5.0);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The hexahedra between the cells of adaptive grids, without a picture: they are those that a
-// search at every vertex of the finest lattice finds, they fill the space between the cells'
-// centres without a gap, and their values are those of the cells.
+// The hexahedra between the cells of adaptive grids are those that a search at every vertex of the
+// finest lattice finds. They fill the space between the cells' centres without a gap, and have the
+// values of the cells.
 
 #include "Adaptive/AmrMesh.h"
 #include "Checks/Expect.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Linear cells made of concave polyhedra: they fill the polyhedron once and do not leave it, and
-// neighbours share all points of their faces, however these are given. Cells that cannot be divided
-// so are told.
+// Linear cells made of concave polyhedra fill the polyhedron once and do not leave it. Neighbours
+// share all points of their faces, however these are given. Cells that cannot be divided so are
+// told.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"

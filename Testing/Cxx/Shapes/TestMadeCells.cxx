@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What it takes to draw cells that are made: memory within a limit, progress, and no more than new
+// Cells that are made keep to a limit of memory, tell their progress, and make no more than new
 // values need.
 
 #include "Checks/EventCounter.h"
@@ -46,7 +46,7 @@ void ExpectLimit(const std::string& what, vtkDataObject* data, double isovalue, 
   scene.Mapper->SetInputDataObject(data);
   scene.LookFrom(1.0, 2.0, 0.7);
   Expect(scene.Render(30, 30), what + ": drawn without a limit");
-  const double needed = scene.Mapper->GetMeshMemory();
+  const double needed = scene.Mapper->GetStatistics()->GetMeshMemory();
   Expect(needed > 3 << 20, what + ": needs " + std::to_string(needed) + " bytes");
   int drawn = 0;
   for (int limit = 1; limit < 3.0 * needed / (1 << 20) && drawn < 2; ++limit)
@@ -60,7 +60,7 @@ void ExpectLimit(const std::string& what, vtkDataObject* data, double isovalue, 
     const bool isDrawn = limited.Render(30, 30);
     drawn += isDrawn;
     const std::string name = what + ", " + std::to_string(limit) + " MiB: ";
-    const double kept = limited.Mapper->GetMeshMemory();
+    const double kept = limited.Mapper->GetStatistics()->GetMeshMemory();
     Expect(!isDrawn || kept <= limit * 1048576.0, name + "keeps " + std::to_string(kept));
     const std::string words = "The input has " + std::to_string(cells) + " cells, which need";
     Expect(isDrawn || observer->GetErrorMessage().find(words) != std::string::npos,
@@ -82,9 +82,9 @@ void TestCoarserCurved()
     scene.LookFrom(1.0, 2.0, 0.7);
     EventCounter warnings(scene.Mapper, vtkCommand::WarningEvent);
     Expect(scene.Render(30, 30) && scene.Render(31, 30), name + "drawn");
-    const double error =
-      std::max(scene.Mapper->GetMeshValueError(), scene.Mapper->GetMeshPointError());
-    const double kept = scene.Mapper->GetMeshMemory();
+    const double error = std::max(scene.Mapper->GetStatistics()->GetMeshValueError(),
+      scene.Mapper->GetStatistics()->GetMeshPointError());
+    const double kept = scene.Mapper->GetStatistics()->GetMeshMemory();
     Expect(error > last && (limit == 0 ? error < 0.01 : kept <= limit * 1048576.0),
       name + "keeps " + std::to_string(kept) + ", error " + std::to_string(error));
     Expect(warnings.Count == (error > 0.01 ? 1 : 0),
@@ -102,7 +102,8 @@ void TestCoarserCurved()
     fresh.Mapper->SetMeshMemoryLimit(limit);
     scene.Mapper->SetMeshMemoryLimit(limit);
     Expect(fresh.Render(30, 30) && scene.Render(30, 30) && AreIdentical(fresh.Color, scene.Color) &&
-        scene.Mapper->GetMeshValueError() == fresh.Mapper->GetMeshValueError(),
+        scene.Mapper->GetStatistics()->GetMeshValueError() ==
+          fresh.Mapper->GetStatistics()->GetMeshValueError(),
       "curved cells, from now on " + std::to_string(limit) + " MiB");
   }
 }
@@ -130,7 +131,7 @@ void TestSphere()
   }
   Expect(hits > 10 && worst <= 1e-3 * 12.0,
     "sphere: " + std::to_string(hits) + " hits, off by " + std::to_string(worst));
-  Expect(scene.Mapper->GetMeshValueError() <= 1e-3, "sphere: the goal is met");
+  Expect(scene.Mapper->GetStatistics()->GetMeshValueError() <= 1e-3, "sphere: the goal is met");
 }
 
 void TestMemoryLimit()
@@ -165,8 +166,10 @@ void TestNewValuesOfCurved()
     Expect(scene.Render(90, 90) && fresh.Render(90, 90), "new values: drawn again");
     Expect(AreIdentical(scene.Depth, fresh.Depth) && AreIdentical(scene.Color, fresh.Color),
       "new values: another picture than that of a new mapper");
-    Expect(scene.Mapper->GetMeshValueError() == fresh.Mapper->GetMeshValueError() &&
-        scene.Mapper->GetMeshPointError() == fresh.Mapper->GetMeshPointError(),
+    Expect(scene.Mapper->GetStatistics()->GetMeshValueError() ==
+          fresh.Mapper->GetStatistics()->GetMeshValueError() &&
+        scene.Mapper->GetStatistics()->GetMeshPointError() ==
+          fresh.Mapper->GetStatistics()->GetMeshPointError(),
       "new values: another error");
   }
 }

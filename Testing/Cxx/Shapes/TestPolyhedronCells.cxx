@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Linear cells made of polyhedra, prisms and convex sets of points, without a picture: neighbours
-// of any type share all points of their faces, they fill the space of the grid, and linear fields
-// stay linear. Wrong cells get one sentence.
+// Linear cells made of polyhedra, prisms and convex sets of points fill the space of the grid.
+// Neighbours of any type share all points of their faces, and linear fields stay linear. Wrong
+// cells get one sentence.
 
 #include "Checks/Expect.h"
 #include "CurvedGrids.h"

@@ -74,7 +74,7 @@ void TestOneLevel()
   }
   Expect(AreIdentical(image.Color, amr.Color) && AreIdentical(image.Depth, amr.Depth),
     "one level: not the picture of the image");
-  Expect(amr.Mapper->GetMeshSetUp() == Mapper::MESH_NONE, "one level: is a mesh");
+  Expect(amr.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_NONE, "one level: is a mesh");
 }
 
 /// Several levels have the plane of a linear function, without cracks; the mesh is kept.
@@ -93,13 +93,15 @@ void TestLevels()
     scene->LookFrom(1.0, 2.0, 0.7);
   }
   ExpectSameSurface("levels", amr, image);
-  Expect(amr.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT, "levels: built");
+  Expect(amr.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_BUILT, "levels: built");
   amr.Renderer->GetActiveCamera()->Azimuth(10.0);
-  Expect(amr.Render(50, 50) && amr.Mapper->GetMeshSetUp() == Mapper::MESH_KEPT, "levels: kept");
+  Expect(amr.Render(50, 50) && amr.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_KEPT,
+    "levels: kept");
   vtkDataArray* values = GridAt(grid, 1, 0)->GetCellData()->GetScalars();
   values->SetComponent(3, 0, 9.0);
   values->Modified();
-  Expect(amr.Render(50, 50) && amr.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT, "levels: changed");
+  Expect(amr.Render(50, 50) && amr.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_BUILT,
+    "levels: changed");
 }
 
 /// Quadratic hexahedra of a linear function show its plane; picks tell the cells of the grid.
@@ -141,20 +143,24 @@ void TestCurved()
     }
   }
   Expect(hits > 50 && wrong == 0, "curved cells: " + std::to_string(wrong) + " wrong cells");
-  Expect(curved.Mapper->GetMeshPointError() < 1e-9 && curved.Mapper->GetMeshValueError() < 1e-9,
+  Expect(curved.Mapper->GetStatistics()->GetMeshPointError() < 1e-9 &&
+      curved.Mapper->GetStatistics()->GetMeshValueError() < 1e-9,
     "curved cells: straight ones are exact");
   grid->GetPointData()->GetScalars()->Modified();
-  Expect(curved.Render(50, 50) && curved.Mapper->GetMeshSetUp() == Mapper::MESH_NEW_VALUES,
+  Expect(curved.Render(50, 50) &&
+      curved.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_NEW_VALUES,
     "curved cells: new values");
   grid->GetPoints()->SetPoint(1, 0.21, -0.01, 0.0);
   grid->GetPoints()->Modified();
-  Expect(curved.Render(50, 50) && curved.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT,
+  Expect(
+    curved.Render(50, 50) && curved.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_BUILT,
     "curved cells: new points");
-  const double error = curved.Mapper->GetMeshPointError();
+  const double error = curved.Mapper->GetStatistics()->GetMeshPointError();
   Expect(error > 1e-6 && error <= 1e-3, "curved cells: told " + std::to_string(error));
-  Expect(curved.Render(50, 50) && curved.Mapper->GetMeshPointError() == error,
+  Expect(curved.Render(50, 50) && curved.Mapper->GetStatistics()->GetMeshPointError() == error,
     "curved cells: the error of a kept mesh");
-  Expect(straight.Mapper->GetMeshPointError() == 0.0 && straight.Mapper->GetMeshValueError() == 0.0,
+  Expect(straight.Mapper->GetStatistics()->GetMeshPointError() == 0.0 &&
+      straight.Mapper->GetStatistics()->GetMeshValueError() == 0.0,
     "curved cells: an image has no error");
 }
 
@@ -163,8 +169,9 @@ void ExpectBuilt(const std::string& name, Scene& scene, vtkUnstructuredGrid* gri
 {
   vtkNew<vtkImageData> before;
   before->DeepCopy(scene.Depth);
-  Expect(scene.Render(70, 60) && scene.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT,
-    name + ": set up " + std::to_string(scene.Mapper->GetMeshSetUp()));
+  Expect(
+    scene.Render(70, 60) && scene.Mapper->GetStatistics()->GetMeshSetUp() == Mapper::MESH_BUILT,
+    name + ": set up " + std::to_string(scene.Mapper->GetStatistics()->GetMeshSetUp()));
   Scene cold(grid, { 0.6 });
   cold.Renderer->GetActiveCamera()->DeepCopy(scene.Renderer->GetActiveCamera());
   Expect(cold.Render(70, 60), name + ": cold");

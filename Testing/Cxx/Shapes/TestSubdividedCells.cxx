@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Linear cells made of curved ones, without a picture: all neighbours share all points of their
-// faces, however finely each is divided, they fill the space of the grid, and the error told holds
-// at random places, compared with VTK's own interpolation.
+// Linear cells made of curved ones fill the space of the grid. Neighbours share all points of their
+// faces, however finely each is divided. The error that is told holds at random places, by VTK's
+// own interpolation.
 
 #include "Checks/Expect.h"
 #include "CurvedGrids.h"
+#include "Kinds/FieldKind.h"
 #include "LinearCells.h"
 #include "Shapes/BoundaryParts.h"
 #include "Shapes/CurvedCellReader.h"

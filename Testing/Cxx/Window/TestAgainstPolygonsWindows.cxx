@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Depth images and the life of windows, against polygons: the scenes of VTK's
-// TestGPURayCastRenderDepthToImage and ReleaseResources.
+// Depth images, and frames after resources were released, agree with polygons in the scenes of
+// VTK's TestGPURayCastRenderDepthToImage and ReleaseResources.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
@@ -87,7 +87,7 @@ void TestReleaseResources()
   scene.Mapper->ReleaseGraphicsResources(first->GetWindow());
   first->ExpectAgreement("ReleaseResources, released");
   scene.Volume->ReleaseGraphicsResources(first->GetWindow());
-  scene.Mapper->ReleaseReuse();
+  scene.Mapper->ClearCache();
   first->ExpectAgreement("ReleaseResources, volume released and all forgotten");
   first->GetWindow()->Finalize();
   first->GetWindow()->SetSize(200, 250);

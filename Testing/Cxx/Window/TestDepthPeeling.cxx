@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Volumes among translucent polygons under depth peeling: every pixel shows what is seen there from
-// front to back, as arithmetic says.
+// Among translucent polygons, depth peeling shows volumes in their place: each pixel is what
+// arithmetic says.
 
 #include "Scenes/PlateStack.h"
 
@@ -140,11 +140,11 @@ void TestOneFrame()
   scene.ExpectOrder("a sandwich", Bound);
   scene.Renderer->GetActiveCamera()->Azimuth(2.0);
   scene.Window->Render();
-  Expect(std::string(mapper->GetRouteAsString()) == "ImageCache",
-    std::string("a moved view: the route is ") + mapper->GetRouteAsString());
+  Expect(std::string(mapper->GetStatistics()->GetRouteAsString()) == "ImageCache",
+    std::string("a moved view: the route is ") + mapper->GetStatistics()->GetRouteAsString());
   scene.Window->Render();
-  Expect(std::string(mapper->GetRouteAsString()) == "Cold",
-    std::string("a still view: the route is ") + mapper->GetRouteAsString());
+  Expect(std::string(mapper->GetStatistics()->GetRouteAsString()) == "Cold",
+    std::string("a still view: the route is ") + mapper->GetStatistics()->GetRouteAsString());
   scene.Renderer->GetActiveCamera()->Azimuth(-2.0);
   scene.ExpectOrder("back again", Bound);
   Expect(starts.Count == 4 && ends.Count == 4,
@@ -169,7 +169,8 @@ void TestSpecialCases()
   AddSandwich(fine, 0.6);
   fine.Piles.front()->Mapper->SetImageSampleDistance(0.5f);
   fine.ExpectOrder("a finer picture has a ray a pixel", Bound);
-  Expect(fine.Piles.front()->Mapper->GetNumberOfRays() == Size * Size, "a ray a pixel");
+  Expect(
+    fine.Piles.front()->Mapper->GetStatistics()->GetNumberOfRays() == Size * Size, "a ray a pixel");
 
   // More surfaces and panes than peels: those that are left are blended in some order.
   StackScene few(Peeler::Renderer);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curved surfaces among translucent spheres, where volumes are peeled: the picture of polygons in
-// their place.
+// Curved surfaces that are peeled among translucent spheres look as polygons in their place.
 
 #include "Checks/Expect.h"
 #include "Scenes/OffScreen.h"

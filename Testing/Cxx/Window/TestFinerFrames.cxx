@@ -190,7 +190,7 @@ void ExpectMeans(Stage& stage, const std::string& what)
   vtkNew<vtkImageData> color;
   Expect(stage.Mapper->GetLastFrame(color, vtkTemporalCoherenceVolumeMapper::FRAME_COLOR) &&
       AreIdentical(color, rays.Color) &&
-      stage.Mapper->GetNumberOfRays() == kind.Columns * kind.Rows,
+      stage.Mapper->GetStatistics()->GetNumberOfRays() == kind.Columns * kind.Rows,
     what + ": the frame is the cold picture with as many pixels as rays");
   const Truth truth(stage, rays);
   int wrongColors = 0, wrongDepths = 0, wrongPicks = 0, hits = 0, edges = 0;
@@ -287,8 +287,8 @@ void TestRoutes()
   const auto expect = [&](const std::string& route)
   {
     stage.Draw();
-    Expect(IsRoute(stage, route) && stage.Mapper->GetNumberOfRays() == 240 * 180,
-      route + ": the route is " + stage.Mapper->GetRouteAsString());
+    Expect(IsRoute(stage, route) && stage.Mapper->GetStatistics()->GetNumberOfRays() == 240 * 180,
+      route + ": the route is " + stage.Mapper->GetStatistics()->GetRouteAsString());
   };
   expect("Cold");
   Expect(stage.Mapper->BuildIsomap(stage.Renderer, stage.Volume), "an isomap is built ahead");
@@ -304,7 +304,7 @@ void TestRoutes()
   expect("Reshade");
   ExpectMeans(stage, "shaded again");
 
-  Expect(stage.Render(70, 50) && stage.Mapper->GetNumberOfRays() == 70 * 50,
+  Expect(stage.Render(70, 50) && stage.Mapper->GetStatistics()->GetNumberOfRays() == 70 * 50,
     "an image has the pixels that are asked for");
   Expect(!stage.Mapper->PickPixel(70, 3, nullptr, nullptr, nullptr), "which are picked");
   stage.Draw();
@@ -347,10 +347,11 @@ void TestAutomatic()
   stage.Mapper->SetMinimumImageSampleDistance(0.5f);
   stage.Window->SetDesiredUpdateRate(1e9);
   stage.Draw();
-  Expect(stage.Mapper->GetNumberOfRays() == 120 * 90, "nothing is known: a ray a pixel");
+  Expect(stage.Mapper->GetStatistics()->GetNumberOfRays() == 120 * 90,
+    "nothing is known: a ray a pixel");
   stage.Renderer->GetActiveCamera()->Azimuth(1.0);
   stage.Draw();
-  Expect(stage.Mapper->GetNumberOfRays() < 120 * 90, "no time: fewer");
+  Expect(stage.Mapper->GetStatistics()->GetNumberOfRays() < 120 * 90, "no time: fewer");
   stage.Window->SetDesiredUpdateRate(1e-4);
   stage.Draw();
   Expect(stage.Mapper->GetImageSampleDistance() == 0.5f, "a still picture is fine");
@@ -373,7 +374,7 @@ void TestDoorOne()
   stage.Volume->SetMapper(door);
   stage.Draw();
   Expect(door->GetDrewIsosurfaces() &&
-      door->GetIsosurfaceMapper()->GetNumberOfRays() == kind.Columns * kind.Rows &&
+      door->GetIsosurfaceMapper()->GetStatistics()->GetNumberOfRays() == kind.Columns * kind.Rows &&
       std::memcmp(expected->GetPointer(0), stage.Pixels->GetPointer(0),
         static_cast<std::size_t>(expected->GetNumberOfValues())) == 0,
     std::string("behind VTK's name: another picture, since ") + door->GetReason());

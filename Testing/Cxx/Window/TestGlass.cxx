@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Translucent polygons that cut through translucent isosurfaces, peeled by depth: each pixel of the
-// window within 2/255 of a compositor that finds all of them by brute force.
+// Translucent polygons that cut through translucent isosurfaces, peeled by depth, are within 2/255
+// of a compositor that finds all of them by brute force.
 
 #include "Truth/GlassScene.h"
 #include "Volumes/Volumes.h"

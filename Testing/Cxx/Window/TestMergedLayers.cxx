@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A pixel with more layers than are kept, among polygons: before, between and behind them. Its
-// layers are merged in small groups, so no pixel is off by more than one group, and none at all
-// where no polygon cuts a group.
+// Where a pixel has more layers than are kept, polygons among them are off by one small group of
+// layers at most, and by nothing where no polygon cuts a group.
 
 #include "Scenes/PlateStack.h"
 
@@ -58,13 +57,14 @@ void TestPolygon(Peeler peeler, int count, double height, double opacity)
   scene.ExpectOrder(what, tolerance);
 
   // Every pixel of the volume has that many layers, and those that are not kept are counted.
-  const vtkIdType layers = pile.Mapper->GetNumberOfLayers();
+  const vtkIdType layers = pile.Mapper->GetStatistics()->GetNumberOfLayers();
   const vtkIdType pixels = layers / count;
   const int step = MergedWith(count) + 1;
   const vtkIdType kept = (count + step - 1) / step;
   Expect(layers > 0 && layers % count == 0, what + ": " + std::to_string(layers) + " layers");
-  Expect(pile.Mapper->GetNumberOfMergedLayers() == layers - kept * pixels,
-    what + ": " + std::to_string(pile.Mapper->GetNumberOfMergedLayers()) + " merged layers");
+  Expect(pile.Mapper->GetStatistics()->GetNumberOfMergedLayers() == layers - kept * pixels,
+    what + ": " + std::to_string(pile.Mapper->GetStatistics()->GetNumberOfMergedLayers()) +
+      " merged layers");
 
   // Other colours and opacities, by layers that are known and others that are found again.
   pile.Prop->GetProperty()->SetAmbient(1.0);
@@ -72,8 +72,9 @@ void TestPolygon(Peeler peeler, int count, double height, double opacity)
   pile.Prop->GetProperty()->SetSpecular(0.0);
   pile.Prop->GetProperty()->ShadeOn();
   scene.ExpectOrder(what + ", shaded", tolerance);
-  Expect(std::string(pile.Mapper->GetRouteAsString()) == "Reshade", what + ": shaded again");
-  Expect(pile.Mapper->GetNumberOfMergedLayers() == layers - kept * pixels,
+  Expect(std::string(pile.Mapper->GetStatistics()->GetRouteAsString()) == "Reshade",
+    what + ": shaded again");
+  Expect(pile.Mapper->GetStatistics()->GetNumberOfMergedLayers() == layers - kept * pixels,
     what + ": merged layers are counted again");
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// vtkTemporalCoherenceVolume among translucent polygons, under ambient occlusion and shadows: what
-// arithmetic says, or what polygons in its place look like.
+// vtkTemporalCoherenceVolume among translucent polygons, under ambient occlusion and shadows, is
+// what arithmetic says, or looks as polygons in its place.
 
 #include "Checks/Expect.h"
 #include "Scenes/OffScreen.h"
@@ -213,10 +213,10 @@ void TestPasses()
 
   scene.Window->Render();
   Expect(scene.Shows(0.0, 0.0, Surface), "drawn");
-  const vtkIdType rays = scene.Iso.Mapper->GetNumberOfRays();
-  scene.Iso.Mapper->ReleaseReuse();
+  const vtkIdType rays = scene.Iso.Mapper->GetStatistics()->GetNumberOfRays();
+  scene.Iso.Mapper->ClearCache();
   Expect(scene.Volume->RenderVolumetricGeometry(scene.Iso.Renderer) == 0 &&
-      scene.Iso.Mapper->GetNumberOfRays() == 0 && rays > 0,
+      scene.Iso.Mapper->GetStatistics()->GetNumberOfRays() == 0 && rays > 0,
     "not in the other pass");
 
   // Another mapper is served as by vtkVolume.
@@ -344,7 +344,7 @@ void TestShadows(bool isSpot)
   scene.Window->Render();
   scene.Window->Render();
   const auto withVolume = PixelsOf(scene.Window);
-  Expect(std::string(scene.Iso.Mapper->GetRouteAsString()) == "Redisplay",
+  Expect(std::string(scene.Iso.Mapper->GetStatistics()->GetRouteAsString()) == "Redisplay",
     name + ": the eye's picture stays");
   scene.Iso.Renderer->RemoveVolume(scene.Volume);
   scene.Window->Render();

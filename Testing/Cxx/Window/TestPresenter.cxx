@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A picture made by hand, opaque at the left and translucent at the right, in a window between
-// polygons: who hides whom, and what shines through by how much, whatever state of OpenGL it finds,
-// which it leaves as it was; and in other windows.
+// The presenter hides, is hidden and shines through as arithmetic says. It leaves the state of
+// OpenGL as it was, whatever that is, and works in other windows.
 
 #include "Checks/Expect.h"
 #include "Input/MatrixFromVtk.h"

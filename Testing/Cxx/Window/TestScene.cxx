@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Windows of all kinds: what they show is the picture of RenderToImage, pixel by pixel, and what
-// was made for one frame is used for the next.
+// Windows of all kinds show the picture of MakeImage, pixel by pixel. What was made for one
+// frame is used for the next.
 
 #include "Checks/Expect.h"
 #include "Scenes/OffScreen.h"
@@ -28,7 +28,7 @@ constexpr int Width = 150, Height = 110;
 
 std::string RouteOf(const Scene& scene)
 {
-  return scene.Mapper->GetRouteAsString();
+  return scene.Mapper->GetStatistics()->GetRouteAsString();
 }
 
 /// Four spheres, which no symmetry helps.
@@ -44,7 +44,7 @@ struct Spheres : Scene
 void ExpectPicture(Scene& scene, vtkUnsignedCharArray* pixels, int width, int height,
   const std::string& name, int allowed = 0)
 {
-  Expect(scene.Render(width, height), name + ": RenderToImage");
+  Expect(scene.Render(width, height), name + ": MakeImage");
   const PictureDifference difference = CompareWithImage(pixels, width, scene);
   Expect(difference.Hits > 1000 && difference.Different <= allowed,
     name + ": " + std::to_string(difference.Different) + " pixels differ");
@@ -100,7 +100,7 @@ void TestLayers()
   window->Render();
   Expect(RouteOf(above) == "Redisplay" && RouteOf(below) == "Redisplay", "frames of layers");
   const auto pixels = PixelsOf(window);
-  Expect(below.Render(Width, Height) && above.Render(Width, Height), "RenderToImage");
+  Expect(below.Render(Width, Height) && above.Render(Width, Height), "MakeImage");
   int wrong = 0, over = 0, under = 0;
   for (int y = 0; y < Height; ++y)
   {
@@ -119,7 +119,7 @@ void TestLayers()
   Expect(over > 300 && under > 300, "layers overlap");
 }
 
-/// Each eye's picture is that of RenderToImage with the camera set to that eye, and each eye goes
+/// Each eye's picture is that of MakeImage with the camera set to that eye, and each eye goes
 /// on from its own last frame.
 void TestStereo()
 {
@@ -245,9 +245,9 @@ void TestSupersampling()
   Expect(RouteOf(scene) == "Redisplay", "frames of a pass");
   const int width = static_cast<int>(Width * std::sqrt(5.0));
   const int height = static_cast<int>(Height * std::sqrt(5.0));
-  Expect(scene.Mapper->GetNumberOfRays() == width * height, "five rays a pixel");
+  Expect(scene.Mapper->GetStatistics()->GetNumberOfRays() == width * height, "five rays a pixel");
   const auto pixels = PixelsOf(window);
-  Expect(scene.Render(width, height), "RenderToImage");
+  Expect(scene.Render(width, height), "MakeImage");
   // The pass weighs pixels in its own way, but none is beyond those that it may see.
   int lit = 0, wrong = 0;
   for (int y = 2; y < Height - 2; ++y)
@@ -281,7 +281,7 @@ void TestTiledDisplay()
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   const double angle = camera->GetViewAngle();
   vtkNew<vtkImageData> whole;
-  Expect(scene.Render(2 * Width, 2 * Height), "RenderToImage");
+  Expect(scene.Render(2 * Width, 2 * Height), "MakeImage");
   whole->DeepCopy(scene.Color);
   camera->SetViewAngle(2.0 *
     vtkMath::DegreesFromRadians(
@@ -293,7 +293,7 @@ void TestTiledDisplay()
     window->SetTileViewport(0.5 * column, 0.5 * row, 0.5 * (column + 1), 0.5 * (row + 1));
     camera->SetWindowCenter(2.0 * column - 1.0, 2.0 * row - 1.0);
     window->Render();
-    Expect(scene.Mapper->GetNumberOfRays() == Width * Height, "rays of a tile");
+    Expect(scene.Mapper->GetStatistics()->GetNumberOfRays() == Width * Height, "rays of a tile");
     vtkNew<vtkUnsignedCharArray> pixels;
     window->GetRGBACharPixelData(0, 0, Width - 1, Height - 1, 0, pixels);
     for (int y = 0; y < Height; ++y)

@@ -105,7 +105,7 @@ void TestEveryPixel(vtkVolume* volume, int association, const std::string& name)
   selector->SetArea(0, 0, Size - 1, Size - 1);
   selector->SetFieldAssociation(association);
   Expect(selector->CaptureBuffers(), name + ": captured");
-  Expect(std::string(scene.Iso.Mapper->GetRouteAsString()) == "Redisplay",
+  Expect(std::string(scene.Iso.Mapper->GetStatistics()->GetRouteAsString()) == "Redisplay",
     name + ": nothing is made anew to select");
 
   int volumes = 0, polygons = 0, wrong = 0, wrongNumbers = 0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// An opaque plate among nested translucent spheres: each pixel shows the layers before the plate,
-// over it, as arithmetic says, however the plate moves and whatever it is drawn into.
+// An opaque plate among nested translucent spheres: each pixel shows the layers before the plate
+// over it, however the plate moves and whatever it is drawn into.
 
 #include "Checks/Expect.h"
 #include "Scenes/OffScreen.h"
@@ -145,7 +145,7 @@ public:
     this->Compare(" at " + std::to_string(z) + ", " + std::to_string(tilt) + " degrees");
   }
 
-  std::string Route() { return this->Iso.Mapper->GetRouteAsString(); }
+  std::string Route() { return this->Iso.Mapper->GetStatistics()->GetRouteAsString(); }
 
   Scene Iso;
   vtkNew<vtkActor> Plate;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// In a render window: the picture of RenderToImage, hidden by and hiding other props pixel by
-// pixel.
+// In a render window, the picture of MakeImage hides other props, and is hidden by them, pixel
+// by pixel.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
@@ -49,15 +49,17 @@ void TestSamePicture()
   window->SetSize(Size, Size);
   window->AddRenderer(scene.Renderer);
   window->Render();
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Cold", "first frame is cold");
-  Expect(scene.Mapper->GetPresentTime() > 0.0, "it was shown");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Cold",
+    "first frame is cold");
+  Expect(scene.Mapper->GetStatistics()->GetPresentTime() > 0.0, "it was shown");
   window->Render();
-  Expect(
-    std::string(scene.Mapper->GetRouteAsString()) == "Redisplay", "second frame is shown again");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Redisplay",
+    "second frame is shown again");
   const auto pixels = PixelsOf(window);
 
-  Expect(scene.Render(Size, Size), "RenderToImage");
-  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Redisplay", "is the same picture");
+  Expect(scene.Render(Size, Size), "MakeImage");
+  Expect(std::string(scene.Mapper->GetStatistics()->GetRouteAsString()) == "Redisplay",
+    "is the same picture");
   int different = 0, hits = 0;
   for (int y = 0; y < Size; ++y)
   {
@@ -90,7 +92,7 @@ void TestSamePicture()
   // A picture of another shape than the window's has the shape it is asked for.
   Scene alone(Volumes::FourSpheres(48), { 100.0 });
   alone.LookFrom(1.0, 2.0, 0.5);
-  Expect(scene.Render(Size, Size / 2) && alone.Render(Size, Size / 2), "RenderToImage");
+  Expect(scene.Render(Size, Size / 2) && alone.Render(Size, Size / 2), "MakeImage");
   Expect(AreIdentical(scene.Depth, alone.Depth), "the window does not shape the picture");
 }
 
@@ -127,7 +129,7 @@ void TestMutualHiding()
     const auto pixels = PixelsOf(window);
 
     // The truth: two spheres met by the same ray.
-    Expect(scene.Render(Size, Size), "RenderToImage");
+    Expect(scene.Render(Size, Size), "MakeImage");
     int wrong = 0, isosurface = 0, polygon = 0;
     for (int y = 0; y < Size; ++y)
     {
@@ -192,8 +194,8 @@ void TestViewports()
   const auto pixels = PixelsOf(window);
   const auto isLit = [&](int x, int y)
   { return pixels->GetPointer(4 * (y * 2 * Size + x))[0] > 40; };
-  Expect(left.Mapper->GetNumberOfRays() == Size * Size, "left viewport");
-  Expect(right.Mapper->GetNumberOfRays() == Size * Size / 2, "right viewport");
+  Expect(left.Mapper->GetStatistics()->GetNumberOfRays() == Size * Size, "left viewport");
+  Expect(right.Mapper->GetStatistics()->GetNumberOfRays() == Size * Size / 2, "right viewport");
   Expect(isLit(Size / 2, Size / 2) && isLit(3 * Size / 2, Size / 2), "both balls are seen");
   Expect(!isLit(Size + 5, 5) && !isLit(5, 5), "nothing beside them");
   Expect(
@@ -202,14 +204,14 @@ void TestViewports()
   // Another size of the same window, then another window.
   window->SetSize(Size, Size / 2);
   window->Render();
-  Expect(left.Mapper->GetNumberOfRays() == Size * Size / 4, "smaller window");
+  Expect(left.Mapper->GetStatistics()->GetNumberOfRays() == Size * Size / 4, "smaller window");
   window->RemoveRenderer(left.Renderer);
   vtkNew<vtkRenderWindow> other;
   other->SetSize(100, 80);
   left.Renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
   other->AddRenderer(left.Renderer);
   other->Render();
-  Expect(left.Mapper->GetNumberOfRays() == 8000, "other window");
+  Expect(left.Mapper->GetStatistics()->GetNumberOfRays() == 8000, "other window");
   window->Render();
 }
 
@@ -247,8 +249,8 @@ void TestRelease()
   const auto expectSame = [&](const std::string& after)
   {
     window->Render();
-    Expect(
-      std::string(left.Mapper->GetRouteAsString()) == "Redisplay", "no ray is traced " + after);
+    Expect(std::string(left.Mapper->GetStatistics()->GetRouteAsString()) == "Redisplay",
+      "no ray is traced " + after);
     const auto pixels = PixelsOf(window);
     long different = 0;
     for (vtkIdType i = 0; i < before->GetNumberOfValues(); ++i)

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a window is given of a frame, without a window: the smallest rectangle of tiles with all
-// hits, wherever these are, and, where other things lie among its layers, the last layer before
-// them. Frames are made at random and compared with loops over all pixels.
+// A window gets the smallest rectangle of tiles with all hits and, where other things lie among its
+// layers, the last layer before them, as loops over all pixels find them.
 
 #include "Checks/Expect.h"
 #include "Window/LayerDepthClip.h"

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Active cells are those with samples on both sides of an isovalue. Hidden cells and cells beyond
+// the field are never active. The levels above tell where active leaves are.
+
 #include "Acceleration/ActiveCells.h"
 #include "Grid.h"
 
@@ -92,7 +96,7 @@ TEST(ActiveCells, NotANumberHidesTheCellsAround)
   grid.At(4, 4, 4) = std::numeric_limits<float>::quiet_NaN();
   ValueRangePyramid pyramid;
   pyramid.Build(grid.Field);
-  grid.Field.Hidden = HiddenCells::WithoutNaN(grid.Field, pyramid);
+  grid.Field.Hidden = HiddenCells::WithoutNaN(grid.Field, pyramid.LeavesWithNaN());
   ASSERT_TRUE(grid.Field.Hidden);
   for (const double isovalue : { 1.5, 3.5, 4.5, 5.0 })
   {

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Every change of samples, of one or of many at once, changes a fingerprint. Where the samples lie
+// in memory does not.
+
 #include "Acceleration/FieldFingerprint.h"
 #include "Grid.h"
 #include "Scene/FrameKey.h"

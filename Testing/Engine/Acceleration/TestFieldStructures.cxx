@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Renderers of the same data share value ranges and active cells, and do not disturb one another.
+// What none of them holds is freed.
+
 #include "Acceleration/FieldStructures.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"

@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Flags, masks and NaN hide cells. Hidden cells are not active. With THRESHOLD, solids are capped
+// at them with the normals of their faces.
+
 #include "Acceleration/ActiveCells.h"
-#include "Acceleration/HiddenCells.h"
 #include "Grid.h"
+#include "Kinds/FieldKind.h"
+#include "Lattice/SurfaceTracer.h"
+#include "Scene/HiddenCells.h"
 #include "Shade/CapNormal.h"
-#include "Trace/SurfaceTracer.h"
 
 #include <gtest/gtest.h>
 
@@ -136,7 +141,7 @@ void ExpectHiddenAroundNaN(const glm::ivec3& samples, int components, double cha
       areFlagged ? HiddenCells::Make(samples, { flags.data(), 4, nullptr, 0 }) : nullptr;
     ValueRangePyramid pyramid;
     pyramid.Build(grid.Field);
-    const auto hidden = HiddenCells::WithoutNaN(grid.Field, pyramid);
+    const auto hidden = HiddenCells::WithoutNaN(grid.Field, pyramid.LeavesWithNaN());
     bool isAnyHidden = false;
     ForEach(cells,
       [&](const glm::ivec3& cell)
@@ -268,7 +273,7 @@ HitBatch TraceAlongX(const Field& field, const Surfaces& surfaces, bool leaps, d
     rays.End[at] = rays.WalkEnd[at] = 1.0 + field.Dimensions.x - 1;
   }
   HitBatch hits;
-  SurfaceTracer::Make({ field, surfaces, pyramid.FiniteRange(), leaps ? &active : nullptr })
+  MakeSurfaceTracer({ field, surfaces, pyramid.FiniteRange(), leaps ? &active : nullptr })
     ->Trace(rays, hits);
   return hits;
 }
@@ -331,7 +336,7 @@ TEST(HiddenCells, CapsHaveTheNormalsOfTheirFaces)
   field.Hidden = HiddenCells::Make(field.Dimensions, { flags.data(), 1, nullptr, 0 });
   const auto expect = [&](const glm::dvec3& point, const glm::dvec3& direction,
                         const glm::dvec3& normal) {
-    EXPECT_EQ(CapNormal({ point, direction }, field, {}), normal);
+    EXPECT_EQ(CapNormal({ point, direction }, field, KindOf(field), {}), normal);
   };
   expect({ 9.0, 7.3, 2.2 }, { 1.0, 0.5, 0.2 }, { -1.0, 0.0, 0.0 });
   expect({ 4.0, 7.3, 2.2 }, { -1.0, 0.5, 0.2 }, { 1.0, 0.0, 0.0 });

@@ -1,9 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// The bounds of a tile hold all of its hits and all active leaves that it shows, under any
+// transform and camera.
+
 #include "Acceleration/TileBounds.h"
 #include "Grid.h"
-#include "Trace/RaySource.h"
-#include "Trace/SurfaceTracer.h"
+#include "Kinds/FieldKind.h"
+#include "Lattice/RaySource.h"
+#include "Lattice/SurfaceTracer.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
 #include <gtest/gtest.h>
@@ -90,7 +95,7 @@ TEST(TileBounds, HoldAllHits)
     [](int i, int j, int k)
     { return 100.0 + 80.0 * std::sin(0.3 * i + 0.2 * j) * std::cos(0.4 * k); });
   const glm::ivec3& dimensions = scene.Samples.Field.Dimensions;
-  const auto tracer = SurfaceTracer::Make(
+  const auto tracer = MakeSurfaceTracer(
     { scene.Samples.Field, scene.Isosurfaces, scene.Pyramid.FiniteRange(), nullptr });
   std::mt19937 engine(21);
   int hitCount = 0, emptyCount = 0;
@@ -100,7 +105,7 @@ TEST(TileBounds, HoldAllHits)
     const IndexTransform transform = RandomTransform(engine);
     const View view = RandomView(scene.CentreAt(transform), 40.0, size, engine);
     TileBounds bounds;
-    bounds.Build(view, transform, scene.Active, *UniformKind());
+    bounds.Build(view, transform, scene.Active, *UniformShape());
     const RaySource source(view, transform, dimensions);
     for (std::int64_t tile = 0; tile < NumberOfTiles(size); tile += round % 2 ? 1 : 7)
     {
@@ -199,7 +204,7 @@ TEST(TileBounds, HoldTheCornersOfActiveLeaves)
     const IndexTransform transform = RandomTransform(engine);
     const View view = ShearedView(scene.CentreAt(transform), 40.0, size, engine);
     TileBounds bounds;
-    bounds.Build(view, transform, scene.Active, *UniformKind());
+    bounds.Build(view, transform, scene.Active, *UniformShape());
     for (const glm::ivec3& leaf : leaves)
     {
       for (int corner = 0; corner < 8; ++corner)
@@ -268,7 +273,7 @@ TEST(TileBounds, FindTilesOfBoxes)
         box.Size[axis] = 1 + static_cast<int>(engine() % 8);
       }
     }
-    const std::vector<std::uint8_t> found = FindTiles(view, transform, boxes, *UniformKind());
+    const std::vector<std::uint8_t> found = FindTiles(view, transform, boxes, *UniformShape());
     ASSERT_EQ(static_cast<std::int64_t>(found.size()), NumberOfTiles(size));
     for (int y = 0; y < size.y; ++y)
     {

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// The pyramid holds the ranges of its blocks of cells, for every type and component of samples and
+// every kind of vectors. NaN does not count.
+
 #include "Acceleration/ValueRangePyramid.h"
 #include "Checks/Sanitized.h"
 #include "EachTarget.h"

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// The nearest cached picture with the data and surfaces of the next frame serves it. Key images
+// come at their intervals.
+
 #include "Grid.h"
 #include "ImageCache/ImageCache.h"
 

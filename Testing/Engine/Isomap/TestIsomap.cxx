@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Acceleration/HiddenCells.h"
+
+// A look-up with tolerance 0 is the cold picture, byte for byte, for any isovalue, hidden cells,
+// pieces of rays and magnitude of samples. With a tolerance, surfaces are that near. A limit of
+// memory or a stop leaves the last frame.
+
 #include "Checks/Sanitized.h"
-#include "Fields/Coordinates.h"
 #include "Grid.h"
+#include "Lattice/Coordinates.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
+#include "Scene/HiddenCells.h"
 
 #include <gtest/gtest.h>
 
@@ -185,7 +190,7 @@ TEST_F(IsomapTest, HiddenCellsAndPiecesOfImagesAndGrids)
           key.Isosurfaces.Mode = mode;
           if (isRectilinear)
           {
-            key.Samples.Kind = RectilinearKind(Stretched(key.Samples.Dimensions, 5.0, 7));
+            key.Samples.Shape = RectilinearKind(Stretched(key.Samples.Dimensions, 5.0, 7));
           }
           key.Region.Crops = { { { 5.5, 12.25 }, { 6.0, 14.5 }, { 7.25, 13.0 } } };
           key.Region.Boxes = 0x5d75f77u;

@@ -1,19 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Limits of memory and stops are heeded inside the parts of a build, too. Tolerances that cannot be
+// kept count as none. A range that cannot fit drops nothing, and is tried once.
+
 #include "Grid.h"
 #include "Isomap/BandTracer.h"
 #include "Isomap/Isomap.h"
 #include "Isomap/IsomapBuilder.h"
 #include "Isomap/RangeBuild.h"
-#include "Trace/RaySource.h"
+#include "Kinds/FieldKind.h"
+#include "Lattice/RaySource.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
-
-// What the building of a range may take: memory and patience are asked about inside the parts of
-// the picture, too, and tolerances that cannot be kept count as none.
 
 namespace
 {
@@ -55,9 +57,9 @@ struct NoiseView
   {
     std::int64_t cells = 0;
     bool dropped = false;
-    const Isomap::Outcome outcome =
-      BuildRange({ this->Key, this->Pyramid, band, memory, ++this->Frame, patience }, map, report,
-        dropped, cells);
+    const Isomap::Outcome outcome = BuildRange(
+      { { this->Key, this->Pyramid, MakeBandTracer }, band, memory, ++this->Frame, patience }, map,
+      report, dropped, cells);
     EXPECT_EQ(cells > 0, outcome == Isomap::Outcome::Built);
     if (isDropped)
     {
@@ -200,7 +202,8 @@ TEST(IsomapLimits, RangesThatTakeTurnsAreTriedOnce)
   {
     const std::uint64_t before = builder.Drag().Frame;
     options.Range = range;
-    EXPECT_EQ(builder.Prepare(view.Key, options, view.Pyramid, {}), Isomap::Outcome::Built);
+    EXPECT_EQ(builder.Prepare({ view.Key, view.Pyramid, MakeBandTracer }, options, {}),
+      Isomap::Outcome::Built);
     return builder.Drag().Frame - before;
   };
   const ValueBand small{ 99.9, 100.1 };
@@ -271,9 +274,9 @@ TEST(IsomapLimits, ATileEndsAtTheLimitOfMemory)
   const View view = LookAt(noise.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 8, 8 });
   RaySource(view, IndexTransform(), noise.Field.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
   TileKnots all, some;
-  const std::int64_t cells = BandTracer::Make(scene)->Trace(rays, all);
+  const std::int64_t cells = MakeBandTracer(scene)->Trace(rays, all);
   scene.MemoryLimit = all.MemoryInBytes() / 10;
-  EXPECT_LT(BandTracer::Make(scene)->Trace(rays, some), cells);
+  EXPECT_LT(MakeBandTracer(scene)->Trace(rays, some), cells);
   EXPECT_GT(some.MemoryInBytes(), scene.MemoryLimit);
   EXPECT_LT(some.MemoryInBytes(), all.MemoryInBytes());
 }

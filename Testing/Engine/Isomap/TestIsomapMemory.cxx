@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Wherever memory ends while an isomap is built, the isomap counts what is left of it.
+
 #include "Grid.h"
 #include "Isomap/RangeBuild.h"
+#include "Kinds/FieldKind.h"
 #include "RefusedMemory.h"
 #include "Render/FrameRenderer.h"
 
@@ -13,8 +17,6 @@
 #include <cstdint>
 #include <new>
 #include <string>
-
-// Wherever memory ends while an isomap is built, the isomap counts what is left of it.
 
 namespace
 {
@@ -93,7 +95,8 @@ TEST_F(IsomapMemory, OfARangeIsCounted)
   const auto add = [&](const ValueBand& band)
   {
     constexpr std::size_t plenty = std::size_t(1) << 30;
-    BuildRange({ this->Key, pyramid, band, plenty, 1 }, map, {}, isDropped, cells);
+    BuildRange(
+      { { this->Key, pyramid, MakeBandTracer }, band, plenty, 1 }, map, {}, isDropped, cells);
   };
   const int thrown = this->UntilMemorySuffices(
     [&]

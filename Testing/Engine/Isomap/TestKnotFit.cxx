@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// A fit of knots is nowhere farther from the function than the tolerance and keeps its jumps. Any
+// tolerance takes a bounded number of knots.
+
 #include "Isomap/KnotFit.h"
 
 #include <gtest/gtest.h>

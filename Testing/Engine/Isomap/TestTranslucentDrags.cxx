@@ -4,7 +4,7 @@
 // Drags of translucent isovalues show the cold picture: planes, and layers in their order, whatever
 // else changes in the view, by any kind of field and region. First surfaces are looked up.
 
-#include "Fields/Coordinates.h"
+#include "Lattice/Coordinates.h"
 #include "Render/OpacityChanges.h"
 
 #include <vtkSMPTools.h>
@@ -130,7 +130,7 @@ TEST_F(TranslucentDrags, OfRegionsHiddenCellsGridsAndNearestSamples)
     this->Key.Samples.Between = Interpolation::Nearest;
     this->Drag(8, 6);
     this->Key.Samples = this->Samples.Field;
-    this->Key.Samples.Kind = RectilinearKind(Stretched(Dimensions, 2.0, 4));
+    this->Key.Samples.Shape = RectilinearKind(Stretched(Dimensions, 2.0, 4));
     this->Drag(9, 6);
   }
   this->ExpectLookUps(20);

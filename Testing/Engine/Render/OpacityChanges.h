@@ -3,11 +3,11 @@
 #ifndef Testing_OpacityChanges_h
 #define Testing_OpacityChanges_h
 
-#include "Acceleration/HiddenCells.h"
-#include "Fields/Waves.h"
 #include "Grid.h"
+#include "Lattice/Waves.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
+#include "Scene/HiddenCells.h"
 
 #include <gtest/gtest.h>
 

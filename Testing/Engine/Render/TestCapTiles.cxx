@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// With THRESHOLD a tile may show a cap where no surface is near. These tests protect that tiles are
-// left out, and caps not looked for, only where rays cannot begin in a solid: whatever the field,
-// the region and the camera are, the picture is the one without space leaping. And that most tiles
+// With THRESHOLD, tiles without a surface are left out only where no ray can begin in a solid:
+// whatever field, region and camera are, the picture is the one without space leaping. Most tiles
 // are left out.
-#include "Fields/Coordinates.h"
-#include "Fields/FunctionKind.h"
-#include "Fields/RectilinearKind.h"
-#include "Fields/Waves.h"
 #include "Grid.h"
+#include "Kinds/FunctionKind.h"
+#include "Kinds/RectilinearKind.h"
+#include "Lattice/Coordinates.h"
+#include "Lattice/Waves.h"
 #include "Render/CapTiles.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
@@ -157,7 +156,7 @@ TEST_F(SolidFrames, AreThoseWithoutLeapingOnRectilinearGrids)
   this->Key.Samples = waves.Field;
   for (const double ratio : { 3.0, 300.0 })
   {
-    this->Key.Samples.Kind = RectilinearKind(Stretched(Dimensions, ratio, 3));
+    this->Key.Samples.Shape = RectilinearKind(Stretched(Dimensions, ratio, 3));
     this->Compare(20);
   }
 }
@@ -187,7 +186,7 @@ TEST_F(SolidFrames, AreThoseWithoutLeapingOfAFunction)
 {
   this->Key.Samples.Type = ScalarType::Float64;
   this->Key.Samples.Dimensions = Dimensions;
-  this->Key.Samples.Kind = std::make_shared<FunctionKind>(SmoothFunction{ [](const glm::dvec3& p)
+  this->Key.Samples.Shape = std::make_shared<FunctionKind>(SmoothFunction{ [](const glm::dvec3& p)
     { return std::sin(0.2 * p.x) * std::cos(0.25 * p.y + 0.1 * p.z); },
     [](const glm::dvec3&) { return glm::dvec3(0.0, 0.0, 1.0); }, 0.5 });
   this->Compare(12);

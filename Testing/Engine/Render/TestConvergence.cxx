@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// On ever finer samples of the distance from a point, positions converge with the square of the
+// sample distance, and normals at least with the distance.
+
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-// A manufactured solution: the distance from a point, sampled ever finer, whose surfaces are
-// spheres with known positions and normals.
 
 namespace
 {

@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Which side of an isovalue a sample is on is never lost, whatever the type, the kind of vectors,
+// the mode and the route, for samples and isovalues as large and as small as numbers get, beside 0,
+// infinities and NaN.
+
 #include "EachTarget.h"
-#include "Fields/RectilinearKind.h"
 #include "Grid.h"
+#include "Kinds/RectilinearKind.h"
+#include "Lattice/CellRoot.h"
 #include "RandomExtremes.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
 #include "Scene/Difference.h"
-#include "Trace/CellRoot.h"
 
 #include <vtkSMPTools.h>
 
@@ -25,10 +30,6 @@
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
-
-// Samples and isovalues as large and as small as numbers get, beside 0, infinities and NaN: which
-// side of an isovalue a sample is on is never lost, whatever the type, the kind of vectors, the
-// mode and the route.
 
 namespace
 {
@@ -116,7 +117,7 @@ protected:
     key.Samples.Between = random.IsOneOf(3) ? Interpolation::Nearest : Interpolation::Linear;
     if (random.IsOneOf(3))
     {
-      key.Samples.Kind = RectilinearKind(UnevenGrid(dimensions));
+      key.Samples.Shape = RectilinearKind(UnevenGrid(dimensions));
     }
     if (random.IsOneOf(3))
     {
@@ -125,7 +126,8 @@ protected:
     SCOPED_TRACE(testing::Message()
       << "seed " << seed << " type " << static_cast<int>(Grid<T>::Type()) << " mode "
       << static_cast<int>(key.Isosurfaces.Mode) << " between "
-      << static_cast<int>(key.Samples.Between) << " grid " << (key.Samples.Kind != UniformKind()));
+      << static_cast<int>(key.Samples.Between) << " grid "
+      << (key.Samples.Shape != UniformShape()));
     FrameRenderer::Options options;
     options.Reuse.ImageCache = false;
     if (random.IsOneOf(2))

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Every route makes the cold picture, whatever the number of threads, with and without leaping.
+// Counters add up to all rays. Without memory, the last frame stays.
+
 #include "Checks/Sanitized.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"

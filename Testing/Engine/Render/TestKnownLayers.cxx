@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Layers that no light reaches are kept for later opacities, but not for other surfaces, views or
-// data. A frame that is stopped, or for which memory is refused, leaves the last one as it was.
+// data. A frame that is stopped, or for which memory is refused in any thread, leaves the last one
+// as it was.
 
 #include "Checks/Sanitized.h"
 #include "RefusedMemory.h"
@@ -157,9 +158,7 @@ TEST(TileLoop, AThreadWithoutMemoryEndsTheFrameOnly)
       throw std::bad_alloc();
     }
   };
-  const auto done = [](std::size_t, std::int64_t) {};
-  EXPECT_THROW(
-    CountGroups(glm::ivec2(400), ReportProgress(), statistics, work, done), std::bad_alloc);
+  EXPECT_THROW(CountGroups(glm::ivec2(400), ReportProgress(), statistics, work), std::bad_alloc);
   vtkSMPTools::Initialize(0);
   vtkSMPTools::SetBackend(backend.c_str());
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// In a haze, a pixel has more layers than a frame keeps. Those are merged, counted, and drawn all
-// the same: the picture is the cold one on every route, and so is what is kept. Memory is bounded.
+// Layers beyond the limit are merged, counted, and drawn all the same: the picture is the cold one
+// on every route, and so is what is kept. Memory is bounded.
 
 #include "Checks/Sanitized.h"
 #include "RefusedMemory.h"

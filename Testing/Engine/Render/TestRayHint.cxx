@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A hint that the engine does not know serves its tracer of tiles: it saves work and changes no
-// hit, and where it is wrong rays are traced once more.
+// A hint that the engine does not know saves work and changes no hit. Where it is wrong, rays are
+// traced once more.
 
 #include "Grid.h"
+#include "Lattice/BallHint.h"
 #include "Render/FrameStructures.h"
 #include "Render/TileTracer.h"
-#include "Trace/BallHint.h"
 
 #include <gtest/gtest.h>
 

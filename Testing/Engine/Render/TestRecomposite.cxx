@@ -4,7 +4,7 @@
 // A new opacity traces only rays that lead on behind the layers that are known, and the picture is
 // the cold one: planes, answers, and layers in their order.
 
-#include "Fields/Coordinates.h"
+#include "Lattice/Coordinates.h"
 #include "Render/OpacityChanges.h"
 
 #include <algorithm>
@@ -79,7 +79,7 @@ TEST_F(Recomposite, WalksInOtherKindsOfFields)
   this->Key.Samples.Between = Interpolation::Nearest;
   this->Walk(8, 10);
   this->Key.Samples.Between = Interpolation::Linear;
-  this->Key.Samples.Kind = RectilinearKind(Stretched(Dimensions, 5.0, 2));
+  this->Key.Samples.Shape = RectilinearKind(Stretched(Dimensions, 5.0, 2));
   this->Walk(9, 10);
   Grid<double> holes(Dimensions);
   holes.Fill(WaveWithHoles);

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// What changed since the last frame and what is held decide the route.
+
 #include "ImageCache/ImageCache.h"
 #include "Render/ReusePlan.h"
 

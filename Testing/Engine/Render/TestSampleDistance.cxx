@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// The distance between rays fits a frame into its time, does not change to and fro, and leaves no
+// more rays than a frame may have.
+
 #include "Render/SampleDistance.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Vectors gather samples of 8 and 16 bits by offsets of 32 bits, in bytes. These tests protect that
-// this is only done where every offset fits, whatever the strides of a field are.
+// Samples of 8 and 16 bits are gathered by offsets of 32 bits only where every offset fits,
+// whatever the strides of a field are.
 
 #include "Grid.h"
 #include "Scene/Field.h"

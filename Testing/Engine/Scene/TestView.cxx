@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Rays of any camera, sheared or transformed, pass through the centres of their pixels. Degenerate
+// matrices are refused.
+
 #include "Grid.h"
 #include "Scene/View.h"
 

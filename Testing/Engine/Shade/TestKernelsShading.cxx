@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What vectors make of hits is compared, to the last bit, with the same formulas written out one by
-// one.
+// What vectors make of hits has the bits of the formulas written out one by one.
 
 #include "EachTarget.h"
 #include "Grid.h"
+#include "Kinds/FieldKind.h"
 #include "Scene/Difference.h"
 #include "Shade/KernelsGradients.h"
 #include "Shade/KernelsShading.h"
@@ -186,7 +186,8 @@ private:
       [&](const char* target)
       {
         Vectors found;
-        IndexGradients({ field, glm::dmat4(1.0), range, &isovalues }, { rays, surfaces, found });
+        KindOf(field).FindGradients(
+          { field, glm::dmat4(1.0), range, &isovalues }, { rays, surfaces, found });
         for (std::size_t a = 0; a < 3; ++a)
         {
           EXPECT_TRUE(AreIdentical(found[a], reference[a], static_cast<int>(count)))

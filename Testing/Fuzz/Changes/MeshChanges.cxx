@@ -138,8 +138,8 @@ void HideCells(World& world)
 
 void AverageGradients(World& world)
 {
-  world.Subject->SetAveragedGradients(world.From.Pick(2));
-  Story::Tell("  averaged gradients ", world.Subject->GetAveragedGradients());
+  world.Subject->SetSmoothMeshNormals(world.From.Pick(2));
+  Story::Tell("  averaged gradients ", world.Subject->GetSmoothMeshNormals());
 }
 
 /// More than a frame keeps of a pixel.

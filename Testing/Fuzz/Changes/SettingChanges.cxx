@@ -84,10 +84,12 @@ void ImageCache(World& world)
   switch (from.Pick(6))
   {
     case 0:
-      mapper->SetImageCache(!from.OneIn(4));
+      mapper->SetReuseFrames(!from.OneIn(4));
       break;
     case 1:
-      mapper->SetReuseAccuracy(from.IsWild() ? from.WildInt() : from.Pick(3));
+      mapper->SetReuseAccuracy(from.IsWild() ? from.WildInt()
+          : from.Pick(3) == 2                ? Mapper::PAPER
+                                             : Mapper::EXACT);
       break;
     case 2:
       mapper->SetImageCachePolicy(from.Pick(2));
@@ -103,7 +105,7 @@ void ImageCache(World& world)
       mapper->SetRefineWhenStill(!from.OneIn(5));
       break;
   }
-  Story::Tell("  image cache ", mapper->GetImageCache(), ", accuracy ", mapper->GetReuseAccuracy(),
+  Story::Tell("  image cache ", mapper->GetReuseFrames(), ", accuracy ", mapper->GetReuseAccuracy(),
     ", policy ", mapper->GetImageCachePolicy(), " ", mapper->GetKeyImageInterval(), ", images ",
     mapper->GetNumberOfCachedImages(), ", shading ", mapper->GetImageCacheShading(), ", refine ",
     mapper->GetRefineWhenStill());
@@ -186,7 +188,7 @@ void Coarseness(World& world)
 void Defaults(World& world)
 {
   Mapper* mapper = world.Subject;
-  mapper->ImageCacheOn();
+  mapper->ReuseFramesOn();
   mapper->IsomapOn();
   mapper->SpaceLeapingOn();
   mapper->ColorByAnswerOff();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Oracle/Oracle.h"
+#include "Kinds/FieldKind.h"
 
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
@@ -98,7 +99,7 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   fresh->SetSurfaceMode(subject->GetSurfaceMode());
   fresh->SetVectorMode(subject->GetVectorMode());
   fresh->SetVectorComponent(subject->GetVectorComponent());
-  fresh->SetAveragedGradients(subject->GetAveragedGradients());
+  fresh->SetSmoothMeshNormals(subject->GetSmoothMeshNormals());
   fresh->SetMeshMemoryLimit(subject->GetMeshMemoryLimit());
   fresh->SetCropping(subject->GetCropping());
   fresh->SetCroppingRegionPlanes(subject->GetCroppingRegionPlanes());
@@ -114,7 +115,7 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   fresh->SetFinalColorWindow(subject->GetFinalColorWindow());
   fresh->SetFinalColorLevel(subject->GetFinalColorLevel());
   fresh->SetColorByAnswer(subject->GetColorByAnswer());
-  fresh->ImageCacheOff();
+  fresh->ReuseFramesOff();
   fresh->IsomapOff();
   // The picture is the same with leaping and without.
   fresh->SetSpaceLeaping(1 - subject->GetSpaceLeaping());
@@ -224,9 +225,10 @@ void Oracle::CheckFrame()
 void Oracle::CompareCounters()
 {
   Mapper* subject = this->Of.Subject;
-  const vtkIdType rays = subject->GetNumberOfRays();
-  const vtkIdType sum = subject->GetNumberOfDefiniteHits() + subject->GetNumberOfDefiniteMisses() +
-    subject->GetNumberOfPossibleHits();
+  const vtkIdType rays = subject->GetStatistics()->GetNumberOfRays();
+  const vtkIdType sum = subject->GetStatistics()->GetNumberOfDefiniteHits() +
+    subject->GetStatistics()->GetNumberOfDefiniteMisses() +
+    subject->GetStatistics()->GetNumberOfPossibleHits();
   Require(rays == this->Shown.CountPixels(), "the number of rays is " + std::to_string(rays));
   Require(
     rays == sum, "of " + std::to_string(rays) + " rays " + std::to_string(sum) + " are counted");
@@ -282,7 +284,7 @@ std::string Oracle::DifferenceOfPicks(Mapper* fresh) const
 bool Oracle::IsPromisedExact() const
 {
   Mapper* subject = this->Of.Subject;
-  const std::string route = subject->GetRouteAsString();
+  const std::string route = subject->GetStatistics()->GetRouteAsString();
   const bool isLookedUp = route == "IsomapLookup" || route == "IsomapBuild";
   if (isLookedUp)
   {
@@ -301,7 +303,7 @@ void Oracle::Compare(const Picture& cold, Mapper* fresh)
 {
   World& world = this->Of;
   Mapper* subject = world.Subject;
-  const std::string route = subject->GetRouteAsString();
+  const std::string route = subject->GetStatistics()->GetRouteAsString();
   const int isovalues = world.Property()->GetIsoSurfaceValues()->GetNumberOfContours();
   for (const Picture* picture : { &cold, static_cast<const Picture*>(&this->Shown) })
   {
@@ -313,7 +315,7 @@ void Oracle::Compare(const Picture& cold, Mapper* fresh)
   {
     ++this->Sum.WithSurface;
     ++this->Sum.Routes[route];
-    this->Sum.Merged[route] += subject->GetNumberOfMergedLayers() > 0;
+    this->Sum.Merged[route] += subject->GetStatistics()->GetNumberOfMergedLayers() > 0;
   }
   if (world.HasSilentChange)
   {
@@ -354,7 +356,7 @@ void Oracle::ComparePromise(const Picture& cold)
 {
   World& world = this->Of;
   Mapper* subject = world.Subject;
-  const std::string route = subject->GetRouteAsString();
+  const std::string route = subject->GetStatistics()->GetRouteAsString();
   const double edge = this->ShortestEdge();
   const auto pixels = static_cast<double>(this->Shown.CountPixels());
   if (route == "IsomapLookup" || route == "IsomapBuild")
@@ -370,17 +372,6 @@ void Oracle::ComparePromise(const Picture& cold)
       this->Sum.TolerantPixels += pixels;
       this->Sum.TolerantOthers +=
         static_cast<double>(this->Shown.CountDifferent(cold, 1.001 * tolerance * edge));
-    }
-  }
-  else if (route == "ImageCache" && subject->GetReuseAccuracy() == Mapper::BOUNDED &&
-    world.IsTame && world.From.Wildness == 0 && edge > 0.0)
-  {
-    const auto others = static_cast<double>(this->Shown.CountDifferent(cold, edge));
-    this->Sum.BoundedPixels += pixels;
-    this->Sum.BoundedOthers += others;
-    if (others > 0.0)
-    {
-      Story::Tell("  BOUNDED: ", others, " of ", pixels, " pixels differ");
     }
   }
 }
@@ -424,7 +415,7 @@ void Oracle::CheckRefined()
   this->CheckFrame();
   Require(!this->IsRefused && this->IsExact,
     std::string("a repeated view ends in a frame that need not be exact, by ") +
-      this->Of.Subject->GetRouteAsString());
+      this->Of.Subject->GetStatistics()->GetRouteAsString());
 }
 
 }

@@ -60,7 +60,7 @@ std::string FirstOf(const char* array, const Picture& a, const Picture& b)
 bool Picture::Render(World& world, Mapper* mapper)
 {
   this->IsBlended = mapper->GetBlendMode() != Mapper::ISOSURFACE_BLEND;
-  return mapper->RenderToImage(
+  return mapper->MakeImage(
     world.Renderer(), world.Volume(), world.Width, world.Height, this->Frame);
 }
 

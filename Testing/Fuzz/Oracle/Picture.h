@@ -15,7 +15,7 @@ namespace Fuzz
 /// All that a mapper tells of a frame's pixels.
 struct Picture
 {
-  /// RenderToImage() of what the world shows.
+  /// MakeImage() of what the world shows.
   bool Render(World& world, Mapper* mapper);
 
   /// The mapper's last frame.

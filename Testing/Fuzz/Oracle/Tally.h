@@ -19,9 +19,8 @@ struct Tally
   std::map<std::string, long> Merged; ///< of these, frames with merged layers
   std::map<std::string, long> Acts;   ///< what else was asked of the mapper
   std::map<std::string, long> Errors; ///< by their first words
-  double BoundedPixels = 0,
-         BoundedOthers = 0; ///< of tame frames by BOUNDED: all, and those that differ
-  double TolerantPixels = 0, TolerantOthers = 0; ///< the same of look-ups with a tolerance
+  /// Of tame look-ups with a tolerance: all pixels, and those that differ.
+  double TolerantPixels = 0, TolerantOthers = 0;
 };
 
 }

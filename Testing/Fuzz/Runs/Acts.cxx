@@ -33,7 +33,7 @@ void BuildIsomap(World& world, Oracle& oracle)
 void ReplaceMapper(World& world, Oracle& oracle)
 {
   const auto next = oracle.MakeFresh();
-  next->ImageCacheOn();
+  next->ReuseFramesOn();
   next->IsomapOn();
   world.Subject = next;
   for (const auto& volume : world.Volumes)
@@ -49,7 +49,7 @@ void ReplaceVolume(World& world)
   const auto next = vtkSmartPointer<vtkVolume>::New();
   if (!world.From.OneIn(4))
   {
-    next->SetMapper(world.Subject); // which RenderToImage does not look at
+    next->SetMapper(world.Subject); // which MakeImage does not look at
   }
   next->SetProperty(world.Property());
   for (const auto& renderer : world.Renderers)
@@ -80,7 +80,7 @@ void TellLate(World& world)
     image->Modified();
   }
   world.Shelf.clear();
-  world.Subject->ReleaseReuse();
+  world.Subject->ClearCache();
   world.HasSilentChange = false;
 }
 
@@ -234,9 +234,9 @@ void Before(World& world, Oracle& oracle, Tally& tally)
       BuildIsomap(world, oracle);
       break;
     case 4:
-      count("ReleaseReuse");
-      world.Subject->ReleaseReuse();
-      oracle.ExpectNoError("ReleaseReuse");
+      count("ClearCache");
+      world.Subject->ClearCache();
+      oracle.ExpectNoError("ClearCache");
       oracle.ForgetFrames();
       break;
     case 5:

@@ -27,14 +27,14 @@ void DoWhatIsForbidden(World& world)
   switch (world.From.Pick(5))
   {
     case 0:
-      Require(!mapper->RenderToImage(world.Renderer(), world.Volume(), 9, 9, color, nullptr),
+      Require(!mapper->MakeImage(world.Renderer(), world.Volume(), 9, 9, color, nullptr),
         "a frame within a frame");
       break;
     case 1:
       Require(!mapper->BuildIsomap(world.Renderer(), world.Volume()), "an isomap within a frame");
       break;
     case 2:
-      mapper->ReleaseReuse();
+      mapper->ClearCache();
       break;
     case 3:
       Require(!mapper->IntersectWithLine(world.Volume(), p1, p2, t, nullptr, nullptr, nullptr),
@@ -77,8 +77,8 @@ void DoWhatIsAllowed(World& world)
       mapper->IsOpaque(world.Volume());
       break;
     case 4:
-      mapper->GetRouteAsString();
-      mapper->GetNumberOfFieldSamples();
+      mapper->GetStatistics()->GetRouteAsString();
+      mapper->GetStatistics()->GetNumberOfFieldSamples();
       break;
     default:
       mapper->SetIsomapTolerance(0.3);
@@ -169,11 +169,10 @@ void AskInVain(World& world, Oracle& oracle)
   switch (from.Pick(10))
   {
     case 0:
-      Require(
-        !mapper->RenderToImage(nullptr, world.Volume(), 9, 9, nullptr, nullptr), "no renderer");
+      Require(!mapper->MakeImage(nullptr, world.Volume(), 9, 9, nullptr, nullptr), "no renderer");
       break;
     case 1:
-      Require(!mapper->RenderToImage(world.Renderer(), nullptr, 9, 9, image, nullptr), "no volume");
+      Require(!mapper->MakeImage(world.Renderer(), nullptr, 9, 9, image, nullptr), "no volume");
       break;
     case 2:
       Require(!mapper->BuildIsomap(nullptr, world.Volume()), "no renderer");

@@ -34,7 +34,8 @@ void Step(World& world, Oracle& oracle, Tally& tally)
   }
   Acts::Before(world, oracle, tally);
   oracle.CheckFrame();
-  Story::Tell("    ", oracle.IsLastRefused() ? "refused" : world.Subject->GetRouteAsString(), ", ",
+  Story::Tell("    ",
+    oracle.IsLastRefused() ? "refused" : world.Subject->GetStatistics()->GetRouteAsString(), ", ",
     oracle.Last().IsEmpty() ? 0 : oracle.Last().CountHits(), " hits");
   Acts::After(world, oracle, tally);
   if (world.From.Pick(4) == 0)

@@ -149,7 +149,7 @@ void CompareWithImage(World& world, const Oracle& oracle, Tally& tally)
 {
   Picture shown, cold;
   if (world.HasSilentChange || !shown.Fetch(world.Subject) ||
-    std::string(world.Subject->GetRouteAsString()) != "Cold" ||
+    std::string(world.Subject->GetStatistics()->GetRouteAsString()) != "Cold" ||
     world.Subject->GetImageSampleDistance() != 1.0f ||
     !IsWhole(world.Renderer()->GetRenderWindow()) || !IsAlone(world.Renderer(), world.Volume()))
   {
@@ -232,7 +232,8 @@ void Run(const std::vector<std::uint8_t>& bytes, Tally& tally)
       "a window: " + std::to_string(ear.Errors) + " errors, the last: " + ear.Text);
     if (made.Ends == 1 && made.IsMade && ear.Errors == 0)
     {
-      ++tally.Routes[std::string("in a window ") + world.Subject->GetRouteAsString()];
+      ++tally
+          .Routes[std::string("in a window ") + world.Subject->GetStatistics()->GetRouteAsString()];
       CompareWithImage(world, oracle, tally);
     }
   }

@@ -112,7 +112,7 @@ void World::MakeSane()
   mapper->SetVectorMode(Mapper::DISABLED);
   mapper->CroppingOff();
   mapper->RemoveAllClippingPlanes();
-  mapper->SetReuseAccuracy(this->From.Pick(3));
+  mapper->SetReuseAccuracy(this->From.Pick(3) == 2 ? Mapper::PAPER : Mapper::EXACT);
   mapper->SetIsomapMemoryLimit(256);
   mapper->SetMeshMemoryLimit(MeshMemory);
   for (const auto& volume : this->Volumes)

@@ -15,8 +15,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// True if an isovalue of one of the ascending bands passes between samples of the range. None does
-/// in an empty range, which is that of leaves outside of the field.
+/// True if an isovalue of one of the ascending bands passes between samples of the range. False for
+/// an empty range, as of leaves outside the field.
 template <typename T>
 bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<ValueBand>& bands)
 {
@@ -36,20 +36,20 @@ bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<ValueB
   return false;
 }
 
-/// Cells with values below this can be active. A solid in a mesh is capped where a ray enters it,
-/// so that cells count that are wholly inside.
+/// The high end of an isovalue's band: an active cell has a value below it. Solids in meshes are
+/// capped where rays enter them, so cells wholly inside are active, too.
 double HighestActive(const Field& field, double isovalue, SurfaceMode mode)
 {
-  return mode == SurfaceMode::Threshold && field.Kind->Abilities().IsMesh
+  return mode == SurfaceMode::Threshold && field.Shape->Abilities().IsMesh
     ? std::numeric_limits<double>::infinity()
     : isovalue;
 }
 
 }
 
-std::uint64_t ActiveCells::CellsIn(const FieldKind& kind, const glm::ivec3& firstCell) const
+std::uint64_t ActiveCells::CellsIn(const FieldShape& shape, const glm::ivec3& firstCell) const
 {
-  return kind.CellsIn({ firstCell, glm::ivec3(LeafSize) }, this->Bands);
+  return shape.CellsIn({ firstCell, glm::ivec3(LeafSize) }, this->Bands);
 }
 
 void ActiveCells::Build(

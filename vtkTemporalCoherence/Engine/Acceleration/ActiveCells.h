@@ -3,9 +3,9 @@
 #ifndef TemporalCoherence_ActiveCells_h
 #define TemporalCoherence_ActiveCells_h
 
-#include "Acceleration/HiddenCells.h"
 #include "Acceleration/ValueRangePyramid.h"
 #include "Scene/Field.h"
+#include "Scene/HiddenCells.h"
 #include "Scene/Surfaces.h"
 
 #include <algorithm>
@@ -17,13 +17,13 @@
 namespace TemporalCoherence
 {
 
-/// The cells that a set of isovalues, or a band of them, can pass through, as a tree of bits. Or
-/// those that hold values that are seen.
+/// The cells that a set of isovalues, or a band of isovalues, can pass through, as a tree of bits.
+/// Or the cells that hold visible values.
 ///
 /// A cell is *active* if some of its eight samples are inside an isovalue and some are not: only
-/// such a cell can hold a surface. For a band, some samples must be at least the lowest isovalue
-/// and some below the highest. Hidden cells are never active. With THRESHOLD their neighbours are
-/// active unless they are outside, because solids are capped there.
+/// such a cell can hold a surface. For a band, a sample must reach the lowest isovalue and another
+/// sample must lie below the highest. Hidden cells are never active. With THRESHOLD their
+/// neighbours are active unless they are outside, because solids are capped there.
 ///
 /// Each node of the pyramid has a 64-bit word for its active leaves, and each active leaf one for
 /// its active cells. A ray skips 16 or 4 cells in one step where a word is empty, and tests a cell
@@ -44,21 +44,21 @@ public:
   void Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band,
     SurfaceMode mode = SurfaceMode::Crossing);
 
-  /// The same for ranges of values that are seen.
-  /// \param bands ascending; a value at the upper end is not seen
+  /// Build from ranges of visible values.
+  /// \param bands ascending; the upper end is not visible
   void BuildVisible(
     const Field& field, const ValueRangePyramid& pyramid, const std::vector<ValueBand>& bands);
 
-  /// Values of a field that are seen.
+  /// The visible values of a field.
   struct SeenValues
   {
     Field Samples;
     const ValueRangePyramid* Pyramid;
-    std::vector<ValueBand> Bands; ///< ascending; a value at the upper end is not seen
+    std::vector<ValueBand> Bands; ///< ascending; the upper end is not visible
   };
 
-  /// The same for several fields, which differ in their values alone: cells in which one is seen.
-  /// \param fields the first is the one that later calls get
+  /// Build from several fields that differ only in values: cells with a visible value of any field.
+  /// \param fields later calls, such as CellsOf, must get the first one
   void BuildVisible(const std::vector<SeenValues>& fields);
 
   void Release();
@@ -106,28 +106,29 @@ public:
     return cells;
   }
 
-  /// The same for a field without samples.
-  std::uint64_t CellsOf(const FieldKind& kind, std::int64_t node, const glm::ivec3& cell) const
+  /// CellsOf for a field without samples.
+  std::uint64_t CellsOf(const FieldShape& shape, std::int64_t node, const glm::ivec3& cell) const
   {
     std::atomic<std::uint64_t>& word = this->WordOf(node, cell);
     std::uint64_t cells = word.load(std::memory_order_relaxed);
     if (cells == 0)
     {
-      // The range of a leaf may hold what that of no cell does. One too many does no harm.
-      cells = std::max(this->CellsIn(kind, cell & ~3), std::uint64_t(1));
+      // A leaf's range may contain values outside the ranges of its cells. A superfluous active
+      // cell does no harm.
+      cells = std::max(this->CellsIn(shape, cell & ~3), std::uint64_t(1));
       word.store(cells, std::memory_order_relaxed);
     }
     return cells;
   }
 
-  /// The same words for kernels. For each node: the word of its leaves, and where the words of
-  /// these leaves begin in the second list. In that list 0 means "not yet known", and other threads
-  /// may be writing.
+  /// The words in the form that kernels read. For each node: the word of its leaves, and where the
+  /// words of these leaves begin in the second list. In that list 0 means "not yet known", and
+  /// other threads may be writing.
   const std::uint64_t* Nodes() const { return this->NodeWords.data(); }
   const std::atomic<std::uint64_t>* Cells() const { return this->LeafWords.get(); }
 
-  /// Blocks of 4^3 nodes, blocks of 4^3 of these, and so on: one word for each tells which of its
-  /// 64 children hold active leaves.
+  /// A level of blocks above the nodes. A block has 4^3 children: nodes, or blocks of the level
+  /// below. Its word has one bit for each child that holds active leaves.
   struct Level
   {
     std::uint64_t WordOf(const glm::ivec3& block) const
@@ -153,7 +154,7 @@ private:
       static_cast<std::size_t>(LeafOf(cell))];
   }
 
-  std::uint64_t CellsIn(const FieldKind& kind, const glm::ivec3& firstCell) const;
+  std::uint64_t CellsIn(const FieldShape& shape, const glm::ivec3& firstCell) const;
   void FindLeaves(const Field& field, const ValueRangePyramid& pyramid,
     const std::vector<SeenValues>& others = {});
   void FindLevelsAbove(const glm::ivec3& nodes);
@@ -217,9 +218,9 @@ std::uint64_t ActiveCells::CellsWithin(
   std::uint64_t active = 0;
   for (const ValueBand& band : bands)
   {
-    // Fold the bits of the lowest isovalue, and those of the highest, along x, then y, then z: 4
-    // bits a row, 16 a slice. A cell is active if any sample is inside the lowest and not all are
-    // inside the highest.
+    // Fold the bits of the lowest and of the highest isovalue along x, then y, then z: 4 bits a
+    // row, 16 a slice. A cell is active if any sample is inside the lowest and not all are inside
+    // the highest.
     const bool isPoint = band.Low == band.High;
     std::uint32_t anyBelow = 0, allBelow = 0;
     for (int k = 0; k < samples.z; ++k)
@@ -255,7 +256,7 @@ std::uint64_t ActiveCells::CellsWithin(
   return active & (cellsInRow * 0x1111111111111111u);
 }
 
-/// The active cells of a leaf, given those that would be active if no cell were hidden.
+/// The active cells of a leaf, given the cells that would be active without hidden cells.
 template <typename T>
 std::uint64_t ActiveCells::WithoutHidden(
   const TypedField<T>& field, const glm::ivec3& firstCell, std::uint64_t active) const

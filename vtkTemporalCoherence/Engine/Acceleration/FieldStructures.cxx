@@ -43,7 +43,7 @@ void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldRan
     pyramid->Build(field);
     made->Pyramid = pyramid;
     made->Samples = field;
-    made->Samples.Hidden = HiddenCells::WithoutNaN(field, *pyramid);
+    made->Samples.Hidden = HiddenCells::WithoutNaN(field, pyramid->LeavesWithNaN());
     found = made;
     this->Ranges.push_back(found);
   }

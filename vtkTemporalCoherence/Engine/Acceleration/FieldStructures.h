@@ -19,7 +19,7 @@ namespace TemporalCoherence
 struct FieldRanges
 {
   Field Samples; ///< with Field::Hidden
-  /// also of fields with equal samples
+  /// Shared by fields with equal samples.
   std::shared_ptr<const ValueRangePyramid> Pyramid = std::make_shared<const ValueRangePyramid>();
 };
 
@@ -31,7 +31,7 @@ struct SurfaceCells
   std::shared_ptr<const ActiveCells> Active = std::make_shared<const ActiveCells>();
 };
 
-/// Values of a field that are seen.
+/// Visible values of a field.
 struct VisibleValues
 {
   std::shared_ptr<const FieldRanges> Ranges;
@@ -43,7 +43,7 @@ inline bool operator==(const VisibleValues& a, const VisibleValues& b)
   return a.Ranges->Samples == b.Ranges->Samples && a.Bands == b.Bands;
 }
 
-/// The cells of a field that hold values that are seen, of one of several components.
+/// The cells of a field that hold a visible value of any of several components.
 struct VisibleCells
 {
   std::vector<VisibleValues> Values;
@@ -59,14 +59,14 @@ public:
   /// exception it is empty, never null. \pre field.HasCells() \throws std::bad_alloc
   void Provide(const Field& field, std::shared_ptr<const FieldRanges>& held);
 
-  /// The same for the active cells of `surfaces`, built from the ranges of their field.
+  /// Provide the active cells of `surfaces`, built from the ranges of their field.
   void Provide(
     const FieldRanges& ranges, const Surfaces& surfaces, std::shared_ptr<const SurfaceCells>& held);
 
-  /// The same for cells that hold values that are seen.
+  /// Provide the cells that hold visible values.
   void Provide(const std::vector<VisibleValues>& values, std::shared_ptr<const VisibleCells>& held);
 
-  /// The same for fingerprints. On an exception, `held` is unchanged.
+  /// Provide the fingerprint of a field. On an exception, `held` is unchanged.
   void Provide(const Field& field, std::shared_ptr<const FieldFingerprint>& held);
 
   /// Reassign `held` to `field`, whose samples are equal but lie elsewhere in memory. On an

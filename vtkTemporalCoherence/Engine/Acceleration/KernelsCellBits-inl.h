@@ -34,7 +34,7 @@ using W = hn::Vec<Words>;
 using I = hn::Vec<Integers>;
 using M = hn::Mask<Doubles>;
 
-/// With this added, a double of a whole number in [0, 2^52) holds the number's bits lowest.
+/// Added to a whole number in [0, 2^52), it moves the number's bits to the double's lowest bits.
 constexpr double ToBits = 4503599627370496.0;
 
 HWY_INLINE W BitsOf(V whole)
@@ -65,7 +65,7 @@ HWY_INLINE std::uint64_t BitsOfMask(M mask)
   return bits[0];
 }
 
-/// The bits of x + 4 y + 16 z, each from two bits of a coordinate, the lower one `from` up.
+/// x + 4 y + 16 z, where x, y and z are bits `from` and `from` + 1 of a cell's coordinates.
 template <int from>
 HWY_INLINE W PlaceOf(const W cell[3])
 {
@@ -84,20 +84,20 @@ HWY_INLINE M HasBit(W word, W place)
   return hn::RebindMask(Doubles(), hn::Ne(bit, hn::Zero(du)));
 }
 
-/// Words that other threads may be writing, which must be read in one access each.
+/// Gather words that other threads may be writing: one access reads each word.
 HWY_INLINE W LoadShared(const std::atomic<std::uint64_t>* words, W at)
 {
   const Words du;
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
-  // An instruction of the machine, which reads each aligned word at once; the language, which has
-  // no gathering, would only know it as eight reads in a row, at a price that can be measured.
+  // The machine's gather reads each aligned word at once. C++ has no atomic gather, and eight
+  // atomic loads in a row are measurably slower.
   static_assert(sizeof(std::atomic<std::uint64_t>) == sizeof(std::uint64_t) &&
       std::atomic<std::uint64_t>::is_always_lock_free,
     "an atomic word is a word");
   const auto* const plain = reinterpret_cast<const std::uint64_t*>(words);
   return hn::GatherIndex(du, plain, hn::BitCast(Integers(), at));
 #else
-  // Elsewhere Highway would gather by plain reads, which other threads' stores may not meet.
+  // Elsewhere Highway would gather by plain reads, which race with stores of other threads.
   const auto load = [words](std::uint64_t place) HWY_ATTR
   { return words[place].load(std::memory_order_relaxed); };
   constexpr std::size_t lanes = WidestVector / 2;

@@ -128,7 +128,7 @@ private:
   }
 
   /// Fold the five columns of each leaf into one.
-  /// \param neutral changes nothing
+  /// \param neutral value that leaves a fold unchanged
   template <typename Operation>
   static HWY_INLINE void FoldColumns(int count, int known, T neutral, const Operation& fold,
     Columns& columns, std::array<T, MostLeaves>& leaves)
@@ -168,10 +168,10 @@ public:
   {
   }
 
-  /// The leaves of some rows of nodes.
+  /// Find the ranges of the leaves of some rows of nodes.
   /// \param first  samples at which the first node begins
   /// \param nodes  along x and y
-  /// \param leaves of the first node; those of the next row of nodes are `perRow` farther on
+  /// \param leaves of the first node; leaves of the next row of nodes are `perRow` farther on
   HWY_INLINE void Scan(
     const glm::ivec3& first, const glm::ivec2& nodes, std::int64_t perRow, Range<T>* leaves)
   {
@@ -227,7 +227,7 @@ private:
     return rows;
   }
 
-  /// Samples side by side.
+  /// A row of contiguous samples, gathered if the field's samples are not.
   HWY_INLINE const T* RowAt(const glm::ivec3& first, int columns, std::size_t row)
   {
     const T* const samples = this->Samples.At(first);

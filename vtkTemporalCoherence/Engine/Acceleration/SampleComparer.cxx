@@ -33,7 +33,7 @@ void SampleComparer::FindTilesToTrace(
 {
   if (AreReadAlike(this->LimitsOfLast, LimitsOf(ranges)))
   {
-    this->TilesToTrace = FindTiles(view, transform, this->Changed, *ranges.Samples.Kind);
+    this->TilesToTrace = FindTiles(view, transform, this->Changed, *ranges.Samples.Shape);
   }
 }
 

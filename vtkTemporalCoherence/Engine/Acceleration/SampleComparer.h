@@ -56,7 +56,7 @@ public:
   void TakeEqual() { this->Last = this->Next; }
 
 private:
-  /// What depends on all samples together and affects how each is read.
+  /// Properties of all samples together that affect how each sample is read.
   struct Limits
   {
     glm::dvec2 FiniteRange{ 0.0 };

@@ -24,13 +24,12 @@ constexpr double Margin = 1.0 / 64;
 /// Relative margin of bounds, which are stored in single precision.
 constexpr double Slack = 1e-6;
 
-/// Relative to the largest terms of a sum, how far rounding may move it and the ray it is compared
-/// with. Terms may be much larger than their sum in long thin cells and far from the origin.
+/// Rounding error of a sum and of the ray compared with it, relative to the sum's largest terms.
+/// Terms may be much larger than their sum in long thin cells and far from the origin.
 constexpr double Rounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 /// Nodes of at most this half width in pixels are projected as one box instead of leaf by leaf:
-/// they are as small in the picture as leaves of other volumes. Measured by `Benchmark --scenarios
-/// growth`.
+/// they look as small as leaves of other volumes. Measured by `Benchmark --scenarios growth`.
 constexpr double SmallNode = 10.0;
 
 /// A box of cells.
@@ -61,11 +60,11 @@ class BoxProjector
 public:
   /// \param cells of the field along each axis
   BoxProjector(const TemporalCoherence::View& view, const IndexTransform& transform,
-    const glm::ivec2& tiles, const glm::ivec3& cells, const FieldKind& kind)
+    const glm::ivec2& tiles, const glm::ivec3& cells, const FieldShape& shape)
     : View(view)
     , Tiles(tiles)
-    , Kind(kind)
-    , AreAlike(kind.AreBlocksAlike())
+    , Shape(shape)
+    , AreAlike(shape.AreBlocksAlike())
     , ClipFromIndex(view.ClipFromWorld * transform.WorldFromIndex)
     , WorldFromIndex(transform.WorldFromIndex)
   {
@@ -83,7 +82,7 @@ public:
   /// The box of the cells first .. first + cells - 1 of each axis.
   Box BoxOf(const glm::ivec3& first, const glm::ivec3& cells) const
   {
-    const IndexBox box = this->Kind.BoxOf({ first, cells });
+    const IndexBox box = this->Shape.BoxOf({ first, cells });
     return { 0.5 * (box.Low + box.High), 0.5 * (box.High - box.Low) };
   }
 
@@ -219,7 +218,7 @@ private:
 
   const TemporalCoherence::View& View;
   glm::ivec2 Tiles;
-  const FieldKind& Kind;
+  const FieldShape& Shape;
   bool AreAlike; ///< all leaves have the same size
   glm::dmat4 ClipFromIndex, WorldFromIndex;
   double PerRadius = 1.0; ///< distance along rays for a distance in the world
@@ -256,7 +255,7 @@ void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std
 }
 
 std::vector<std::uint8_t> FindTiles(const View& view, const IndexTransform& transform,
-  const std::vector<CellBox>& boxes, const FieldKind& kind)
+  const std::vector<CellBox>& boxes, const FieldShape& shape)
 {
   const glm::ivec2 tiles = TilesOf(view.Size);
   glm::ivec3 cells(0);
@@ -264,7 +263,7 @@ std::vector<std::uint8_t> FindTiles(const View& view, const IndexTransform& tran
   {
     cells = glm::max(cells, box.First + box.Size);
   }
-  const BoxProjector projector(view, transform, tiles, cells, kind);
+  const BoxProjector projector(view, transform, tiles, cells, shape);
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(NumberOfTiles(view.Size)), 0);
   for (const CellBox& box : boxes)
   {
@@ -281,7 +280,7 @@ std::vector<std::uint8_t> FindTiles(const View& view, const IndexTransform& tran
 }
 
 void TileBounds::Build(const View& view, const IndexTransform& transform, const ActiveCells& active,
-  const FieldKind& kind)
+  const FieldShape& shape)
 {
   this->Size = TilesOf(view.Size);
   const std::size_t tiles =
@@ -295,7 +294,7 @@ void TileBounds::Build(const View& view, const IndexTransform& transform, const 
 
   const glm::ivec3 nodes = active.NodeDimensions();
   const BoxProjector projector(
-    view, transform, this->Size, ValueRangePyramid::NodeSize * nodes, kind);
+    view, transform, this->Size, ValueRangePyramid::NodeSize * nodes, shape);
   const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   ParallelFor(NumberOfParts, 1,
     [&](std::int64_t part)

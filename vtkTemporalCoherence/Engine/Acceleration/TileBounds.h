@@ -18,10 +18,10 @@ namespace TemporalCoherence
 {
 
 /// 1 for each tile in which some ray may pass through one of the boxes of cells, else 0.
-/// \param kind of the field
+/// \param shape of the field
 /// \throws std::bad_alloc
 std::vector<std::uint8_t> FindTiles(const View& view, const IndexTransform& transform,
-  const std::vector<CellBox>& boxes, const FieldKind& kind);
+  const std::vector<CellBox>& boxes, const FieldShape& shape);
 
 /// For each tile of 8 x 8 pixels, the range of distances in which its rays may meet active leaves.
 ///
@@ -41,18 +41,18 @@ public:
     bool IsEmpty() const { return !(this->Near <= this->Far); }
   };
 
-  /// \param kind of the field
+  /// \param shape of the field
   /// \throws std::bad_alloc; the bounds are then unusable
   void Build(const View& view, const IndexTransform& transform, const ActiveCells& active,
-    const FieldKind& kind);
+    const FieldShape& shape);
 
   const glm::ivec2& Tiles() const { return this->Size; }
   const Bounds& At(std::int64_t tile) const { return this->All[static_cast<std::size_t>(tile)]; }
 
-  /// Free what only the next Build() would use.
+  /// Free the scratch memory, which only the next Build() would use.
   void ReleaseScratch() { std::vector<std::vector<Bounds>>().swap(this->Parts); }
 
-  /// Bytes of all this, and what it takes for a picture without scratch.
+  /// Bytes of these bounds, and bytes of a picture's bounds without scratch memory.
   std::size_t MemoryInBytes() const;
   static std::size_t MemoryFor(const glm::ivec2& pixels);
 
@@ -63,6 +63,13 @@ private:
   glm::ivec2 Size{ 0 };
   std::vector<Bounds> All;
   std::vector<std::vector<Bounds>> Parts; ///< the bounds of all tiles, for each part of the nodes
+};
+
+/// The structures for space leaping.
+struct LeapedSpace
+{
+  const ActiveCells* Active = nullptr; ///< of a frame's isovalues; null: no leaping
+  const TileBounds* Bounds = nullptr;  ///< of Active
 };
 
 }

@@ -56,7 +56,7 @@ glm::dvec2 WholeRangeOf(const Range<T>* nodes, std::int64_t count)
   return { static_cast<double>(all.Min), static_cast<double>(all.Max) };
 }
 
-/// What a closer look at the samples of a leaf tells.
+/// The result of scanning a leaf's samples one by one.
 template <typename T>
 struct LeafLook
 {
@@ -124,7 +124,8 @@ std::uint64_t LookAgain(
   return withNaN;
 }
 
-/// The ranges of a node and its leaves, as the kind tells them. Empty beyond the end of the field.
+/// Get the ranges of a node and its leaves from the kind of field. Empty beyond the end of the
+/// field.
 /// \param finite is widened by the finite values
 void AskKind(const Field& field, const glm::ivec3& place, Range<double>* leaves,
   Range<double>& node, Range<double>& finite)
@@ -138,12 +139,12 @@ void AskKind(const Field& field, const glm::ivec3& place, Range<double>* leaves,
     {
       continue;
     }
-    const glm::dvec2 range = field.Kind->RangeIn(cells);
+    const glm::dvec2 range = field.Shape->RangeIn(cells);
     leaves[leaf] = { range.x, range.y };
     node.Min = std::min(node.Min, range.x);
     node.Max = std::max(node.Max, range.y);
     const bool isKnown = IsFinite(leaves[leaf]) || range.x > range.y;
-    const glm::dvec2 known = isKnown ? range : field.Kind->FiniteRangeIn(cells);
+    const glm::dvec2 known = isKnown ? range : field.Shape->FiniteRangeIn(cells);
     finite.Min = std::isfinite(known.x) ? std::min(finite.Min, known.x) : finite.Min;
     finite.Max = std::isfinite(known.y) ? std::max(finite.Max, known.y) : finite.Max;
   }
@@ -154,7 +155,7 @@ void AskKind(const Field& field, const glm::ivec3& place, Range<double>* leaves,
 void ValueRangePyramid::Build(const Field& field)
 {
   this->Release();
-  if (!field.Kind->Abilities().Samples)
+  if (!field.Shape->Abilities().Samples)
   {
     this->BuildFromKind(field);
     return;
@@ -207,7 +208,7 @@ void ValueRangePyramid::Build(const Field& field)
     });
 }
 
-/// The ranges of a field without samples, told by its kind.
+/// Build the ranges of a field without samples from its kind.
 void ValueRangePyramid::BuildFromKind(const Field& field)
 {
   assert(field.Type == ScalarType::Float64);

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_ValueRangePyramid_h
 #define TemporalCoherence_ValueRangePyramid_h
 
+#include "Scene/CellBlocks.h"
 #include "Scene/DefaultInitAllocator.h"
 #include "Scene/Field.h"
 
@@ -18,19 +19,12 @@ namespace TemporalCoherence
 
 /// Smallest and largest sample of the field in blocks of cells. Independent of the isovalue.
 ///
-/// There are two levels: *leaves* of 4 x 4 x 4 cells, with their 5 x 5 x 5 samples, and *nodes* of
-/// 4 x 4 x 4 leaves, so that the 64 leaves of a node fit the bits of one machine word. Leaves are
-/// stored node by node. Samples that are not a number do not count. A leaf without any that counts,
-/// for example beyond the end of the field, has Min > Max.
-class ValueRangePyramid
+/// There are two levels: leaves, with their 5 x 5 x 5 samples, and nodes (CellBlocks). Leaves are
+/// stored node by node. NaN samples are ignored. A leaf without other samples, for example beyond
+/// the end of the field, has Min > Max.
+class ValueRangePyramid : public CellBlocks
 {
 public:
-  static constexpr int LeafBits = 2; ///< log2 of the cells along an edge of a leaf
-  static constexpr int NodeBits = 4; ///< log2 of the cells along an edge of a node
-  static constexpr int LeafSize = 1 << LeafBits;
-  static constexpr int NodeSize = 1 << NodeBits;
-  static constexpr int LeavesPerNode = 64;
-
   template <typename T>
   struct Range
   {
@@ -52,13 +46,8 @@ public:
     }
   }
 
-  /// Nodes along each axis of a field of this size.
-  static glm::ivec3 NodesFor(const glm::ivec3& samples)
-  {
-    return (samples - 1 + (NodeSize - 1)) / NodeSize;
-  }
-
-  /// Read the whole field once, in parallel. The kind of a field without samples tells its ranges.
+  /// Read the whole field once, in parallel. For a field without samples, its kind provides the
+  /// ranges.
   /// \pre field.HasCells()
   /// \throws std::bad_alloc; the pyramid is then empty
   void Build(const Field& field);
@@ -96,8 +85,8 @@ public:
   /// if no sample is a number. {0, 0} before ranges are built.
   const glm::dvec2& WholeRange() const { return this->Whole; }
 
-  /// For each node, one bit for each of its leaves with a sample that is not a number. Empty if all
-  /// samples are numbers, and for a field without samples.
+  /// For each node, a word with one bit for each leaf that has NaN samples. Empty if no sample is
+  /// NaN, and for a field without samples.
   const std::vector<std::uint64_t>& LeavesWithNaN() const { return this->WithNaN; }
 
   /// True if every sample is a finite number.

@@ -10,8 +10,8 @@
 namespace TemporalCoherence
 {
 
-/// True if values from the least to the most reach into a band. A band holds its Low, and not its
-/// High, but for infinity: nothing is beyond that.
+/// True if the values [least, most] overlap a band. A band contains Low, but not High, unless High
+/// is infinity.
 inline bool ReachInto(const ValueBand& band, double least, double most)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

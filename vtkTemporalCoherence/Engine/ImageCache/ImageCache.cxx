@@ -7,41 +7,12 @@
 
 namespace TemporalCoherence
 {
-namespace
-{
-
-/// Cosine of the largest turn after which a cached image helps: 6 degrees. After a larger one, its
-/// pixels tell little of what is seen now. Measured by orbits (Documentation/Tried.md).
-constexpr double SmallTurn = 0.9945;
-
-/// Cosine of the angle between the directions from which two views see the middle of a field.
-double CosineOfTurn(const FrameKey& a, const FrameKey& b)
-{
-  const glm::dvec3 centre(
-    a.Transform.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(a.Samples.Dimensions - 1), 1.0));
-  const auto direction = [&](const View& view)
-  {
-    const glm::dvec3 to = view.Parallel ? view.Direction : centre - view.Position;
-    const double length = glm::length(to);
-    return length > 0.0 ? to / length : glm::dvec3(0.0);
-  };
-  return glm::dot(direction(a.View), direction(b.View));
-}
-
-}
 
 bool CanServe(const FrameKey& cached, const FrameKey& next)
 {
   // Pictures of another size are not used: too much can hide between their pixels.
   const FrameChange change = CompareFrames(cached, next);
   return !change.Data && !change.Surfaces && !change.Volume && cached.View.Size == next.View.Size;
-}
-
-bool IsFasterFrom(const FrameKey& cached, const FrameKey& next)
-{
-  return !next.Volume.IsOn() &&
-    next.Samples.Kind->GainsFromImages(next.Samples, next.Isosurfaces) &&
-    !next.Isosurfaces.IsTranslucent() && CosineOfTurn(cached, next) >= SmallTurn;
 }
 
 std::shared_ptr<CachedImage> ImageCache::Find(

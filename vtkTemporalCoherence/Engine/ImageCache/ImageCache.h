@@ -3,7 +3,6 @@
 #ifndef TemporalCoherence_ImageCache_h
 #define TemporalCoherence_ImageCache_h
 
-#include "ImageCache/FreeSpace.h"
 #include "Scene/Frame.h"
 #include "Scene/FrameKey.h"
 
@@ -15,22 +14,16 @@
 namespace TemporalCoherence
 {
 
-/// A finished picture, the key it was made for, and the space that it shows to be free.
+/// A finished picture, and the key it was made for.
 struct CachedImage
 {
   FrameKey Key;
   Frame Picture;
   bool IsExact = true; ///< bit-identical to the cold picture of its key
-  FreeSpace Free;      ///< made on first use
 };
 
 /// True if a picture made for `cached` shows where space is free of the surfaces of `next`.
 bool CanServe(const FrameKey& cached, const FrameKey& next);
-
-/// True if a frame of BOUNDED is faster from a picture than from nothing. Where cold frames go by
-/// tile beams, where their pixels are coarse, where surfaces are translucent, and after a large
-/// turn, it is not.
-bool IsFasterFrom(const FrameKey& cached, const FrameKey& next);
 
 /// Which pictures are cached for the next views.
 enum class ImageCachePolicy : std::uint8_t

@@ -15,34 +15,6 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// How far apart the pixels of a cached image may be, in voxels (shortest edge), to tell what is
-/// free. Up to the first distance the surfaces alone tell it, as no feature the size of a pixel
-/// hides between them. Up to the second one the cells on the rays tell it; behind it, cold frames
-/// are as fast. Measured by the errors of `Benchmark --scenarios image-cache,drift`, and by orbits
-/// (Documentation/Tried.md).
-constexpr double FineApart = 0.6;
-constexpr double FarthestApart = 1.0;
-
-/// Distance between neighbouring pixels of a view in the world; for a perspective at depth 1.
-double SpacingOf(const View& view)
-{
-  const glm::dvec3& acrossX = view.Parallel ? view.OriginX : view.DirectionX;
-  const glm::dvec3& acrossY = view.Parallel ? view.OriginY : view.DirectionY;
-  const glm::dvec2 perPixel = 2.0 / glm::dvec2(view.Size);
-  return std::max(glm::length(acrossX) * perPixel.x, glm::length(acrossY) * perPixel.y);
-}
-
-/// Depth up to which the pixels of a view are at most `apart` from each other.
-double DepthOfSpacing(const View& view, double apart)
-{
-  const double spacing = SpacingOf(view);
-  if (view.Parallel)
-  {
-    return spacing <= apart ? Infinity : -Infinity;
-  }
-  return apart / spacing;
-}
-
 /// t at a point of a path.
 double DistanceAt(const PathBatch& paths, std::size_t ray, double at, bool isParallel)
 {
@@ -105,32 +77,17 @@ bool WalkPixels(const PathBatch& paths, std::size_t ray, const glm::ivec2& size,
 
 }
 
-bool ImageQuery::CanAsk(const FrameKey& cached, ReuseAccuracy accuracy)
+bool ImageQuery::CanAsk(const FrameKey& cached)
 {
   const View& view = cached.View;
   const glm::dvec3 w(RowOf(view.ClipFromWorld, 3));
   const double along = glm::dot(w, view.Forward);
-  const bool isAlongAxis = view.Parallel ||
+  return view.Parallel ||
     (along > 0.0 && glm::length(w - along * view.Forward) <= 1e-9 * std::abs(along));
-  if (!isAlongAxis || accuracy != ReuseAccuracy::Bounded)
-  {
-    return isAlongAxis;
-  }
-  double nearest = Infinity;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::dvec3 last(cached.Samples.Dimensions - 1);
-    const glm::dvec3 point = last * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::dvec3 world(cached.Transform.WorldFromIndex * glm::dvec4(point, 1.0));
-    nearest = std::min(nearest, glm::dot(view.Forward, world - view.Position));
-  }
-  const double shortest = cached.Samples.Kind->VoxelSizeIn(cached.Transform).Shortest;
-  return std::max(nearest, view.Near) < DepthOfSpacing(view, FarthestApart * shortest);
 }
 
-ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy accuracy)
+ImageQuery::ImageQuery(const CachedImage& image, const FrameKey& next)
   : Image(image)
-  , Accuracy(accuracy)
 {
   const View& view = image.Key.View;
   const glm::dmat4 clip = view.ClipFromWorld * next.Transform.WorldFromIndex;
@@ -148,20 +105,7 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   this->Projection.RowV = 0.5 * view.Size.y * perW * (RowOf(clip, 1) + w);
   this->Projection.RowZ = glm::transpose(next.Transform.WorldFromIndex) * forward;
 
-  const auto size = next.Samples.Kind->VoxelSizeIn(next.Transform);
-  this->Voxel = size.Longest;
-  if (accuracy == ReuseAccuracy::Bounded)
-  {
-    // Surfaces of interpolated samples may be thinner than any pixel: seen by surfaces alone, 0.02
-    // % of an angiogram were wrong. A ray can be inside one isovalue and outside another, so
-    // several isovalues are never fine. Hidden cells leave films of surfaces without an inside.
-    const bool canBeFine = next.Samples.Between == Interpolation::Nearest &&
-      next.Isosurfaces.Isovalues.size() == 1 && !next.Samples.Hidden;
-    const double fineApart = canBeFine ? FineApart : 1e-30;
-    image.Free.Make(image.Picture, view,
-      { size.Longest, size.Bend, SpacingOf(view), DepthOfSpacing(view, fineApart * size.Shortest),
-        DepthOfSpacing(view, FarthestApart * size.Shortest) });
-  }
+  this->Voxel = next.Samples.Shape->VoxelSizeIn(next.Transform).Longest;
 }
 
 void ImageQuery::Ask(const RayBatch& rays, KnownRays& known) const
@@ -174,45 +118,10 @@ void ImageQuery::Ask(const RayBatch& rays, KnownRays& known) const
     known.Answers[i] = isWalking ? Answer::PossibleHit : Answer::DefiniteMiss;
     known.Free[i] = rays.WalkBegin[i];
     known.Pixel[i] = -1;
-    if (!isWalking || paths.Kind[i] == PathKind::Unknown)
-    {
-      continue;
-    }
-    if (this->Accuracy == ReuseAccuracy::Bounded)
-    {
-      this->FindFreeSpace(paths, i, known);
-    }
-    else
+    if (isWalking && paths.Kind[i] != PathKind::Unknown)
     {
       this->FindHit(paths, i, known);
     }
-  }
-}
-
-void ImageQuery::FindFreeSpace(const PathBatch& paths, std::size_t ray, KnownRays& known) const
-{
-  const float* const guard = this->Image.Free.Guard();
-  double stop = paths.End[ray];
-  const bool isStopped = WalkPixels(paths, ray, this->Image.Picture.Size,
-    [&](std::int32_t pixel, double at, double q, double qNext)
-    {
-      const double guarded = static_cast<double>(guard[pixel]);
-      if (std::min(q, qNext) > guarded)
-      {
-        return false;
-      }
-      stop = q > guarded ? (guarded - paths.Q0[ray]) / (paths.Q1[ray] - paths.Q0[ray]) : at;
-      known.Pixel[ray] = pixel;
-      return true;
-    });
-  if (isStopped || paths.Kind[ray] == PathKind::Clipped)
-  {
-    const double t = DistanceAt(paths, ray, stop, this->Projection.IsParallel);
-    known.Free[ray] = std::max(known.Free[ray], t);
-  }
-  else
-  {
-    known.Answers[ray] = Answer::DefiniteMiss;
   }
 }
 

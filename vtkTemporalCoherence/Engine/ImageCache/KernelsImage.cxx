@@ -3,9 +3,6 @@
 #include "ImageCache/KernelsImage.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 // This file is compiled once for each kind of vectors. The best one for the machine is chosen at
 // run time. The loops are plain: the compiler vectorises them.
@@ -20,76 +17,6 @@ namespace TemporalCoherence
 {
 namespace HWY_NAMESPACE
 {
-
-/// Largest of the 3 x 3 values around a position.
-HWY_INLINE float LargestAround(const float* below, const float* here, const float* above, int x)
-{
-  const float a = std::max(std::max(below[x], below[x + 1]), below[x + 2]);
-  const float b = std::max(std::max(here[x], here[x + 1]), here[x + 2]);
-  const float c = std::max(std::max(above[x], above[x + 1]), above[x + 2]);
-  return std::max(std::max(a, b), c);
-}
-
-/// Disparity of a point that is nearer by a length.
-HWY_INLINE float Nearer(float disparity, float length, bool isParallel)
-{
-  const float left = 1.0f - length * disparity;
-  const float nearer = left > 0.0f ? disparity / left : std::numeric_limits<float>::infinity();
-  return isParallel ? disparity + length : nearer;
-}
-
-void Guard(const GuardRule& rule, GuardTile& tile)
-{
-  constexpr int Width = GuardTile::Width;
-  const float edgeMargin = rule.EdgeMargin, smoothMargin = rule.SmoothMargin;
-  const float largestBend = rule.LargestBend, largestGap = rule.LargestGap;
-  const float perSpacing = 1.0f / rule.Spacing;
-  const float farthest = rule.Farthest;
-  const bool isParallel = rule.IsParallel;
-
-  // The guard by each pixel alone, and how far its surface is behind its first entry.
-  std::array<float, Width * Width> single, gap;
-  for (std::size_t i = 0; i < single.size(); ++i)
-  {
-    const float surface = tile.Surface[i], firstEntry = tile.FirstEntry[i];
-    const float moved = Nearer(surface, edgeMargin, isParallel);
-    const float perDepth = isParallel ? 1.0f : surface * surface;
-    const bool isFine = firstEntry >= tile.Fine[i];
-    gap[i] = isFine ? 0.0f : firstEntry - surface;
-    const float near = gap[i] <= largestGap * perDepth ? std::min(moved, firstEntry) : firstEntry;
-    single[i] = isFine ? moved : near;
-  }
-  for (int y = 0; y < TileSize; ++y)
-  {
-    const std::size_t first = static_cast<std::size_t>(y * Width);
-    const float* const below = tile.Surface.data() + first;
-    const float *const here = below + Width, *const above = below + 2 * Width;
-    const float* const singles = single.data() + first;
-    const float* const gaps = gap.data() + first;
-    float* const out = tile.Guard.data() + y * TileSize;
-    for (int x = 0; x < TileSize; ++x)
-    {
-      const float c = here[x + 1];
-      const float bend = std::max(std::max(std::abs((here[x] - c) + (here[x + 2] - c)),
-                                    std::abs((below[x] - c) + (above[x + 2] - c))),
-        std::max(std::abs((below[x + 1] - c) + (above[x + 1] - c)),
-          std::abs((below[x + 2] - c) + (above[x] - c))));
-      const float largest = LargestAround(below, here, above, x);
-      const float widest = LargestAround(gaps, gaps + Width, gaps + 2 * Width, x);
-      const float edge = LargestAround(singles, singles + Width, singles + 2 * Width, x);
-
-      // Disparity is affine on a plane, and the corners of the pixel are half way to its
-      // neighbours.
-      const float perDepth = isParallel ? 1.0f : c * c;
-      const float steps = perSpacing * (largest - c);
-      const float slope = isParallel ? steps : steps / std::max(c, 1e-30f);
-      const bool isSmooth =
-        bend <= largestBend * perDepth && widest <= largestGap * perDepth * (1.0f + slope);
-      const float smooth = Nearer(0.5f * (c + largest), smoothMargin, isParallel);
-      out[x] = std::max(isSmooth ? std::min(smooth, edge) : edge, farthest);
-    }
-  }
-}
 
 /// Value of an affine function at both ends of the walks.
 inline void AtEnds(const glm::dvec4& row, const RayBatch& rays, double* begin, double* end)
@@ -176,13 +103,7 @@ HWY_AFTER_NAMESPACE();
 namespace TemporalCoherence
 {
 
-HWY_EXPORT(Guard);
 HWY_EXPORT(Project);
-
-void MakeGuard(const GuardRule& rule, GuardTile& tile)
-{
-  HWY_DYNAMIC_DISPATCH(Guard)(rule, tile);
-}
 
 void ProjectWalks(const ImageProjection& image, const RayBatch& rays, PathBatch& paths)
 {

@@ -4,38 +4,11 @@
 #define TemporalCoherence_KernelsImage_h
 
 #include "Scene/RayBatch.h"
-#include "Scene/Tiles.h"
 
-#include <array>
 #include <cstdint>
 
 namespace TemporalCoherence
 {
-
-/// Disparities of surfaces and first entries in a tile and one more pixel on all sides, and the
-/// guard: the disparities above which space is free.
-struct GuardTile
-{
-  static constexpr int Width = TileSize + 2;
-
-  std::array<float, Width * Width> Surface, FirstEntry;
-  std::array<float, Width * Width> Fine;        ///< from which the surface alone tells what is free
-  std::array<float, TileSize * TileSize> Guard; ///< found
-};
-
-/// How guards are made (FreeSpace.h); lengths are depths.
-struct GuardRule
-{
-  bool IsParallel = false;
-  float EdgeMargin = 0.0f;   ///< surfaces that are not smooth are taken to be nearer by this
-  float SmoothMargin = 0.0f; ///< the same for smooth surfaces
-  float LargestBend = 0.0f;  ///< largest distance of neighbours from the plane of a smooth surface
-  float LargestGap =
-    0.0f; ///< largest distance of a smooth surface behind its first entry, at a right angle
-  float Spacing = 0.0f;  ///< of pixels; for a perspective at depth 1
-  float Farthest = 0.0f; ///< disparity below which nothing is known
-};
-void MakeGuard(const GuardRule& rule, GuardTile& tile);
 
 /// How much of a ray's walk a cached image covers.
 enum class PathKind : std::uint8_t

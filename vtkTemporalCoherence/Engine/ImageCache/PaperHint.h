@@ -3,18 +3,25 @@
 #ifndef TemporalCoherence_PaperHint_h
 #define TemporalCoherence_PaperHint_h
 
-#include "ImageCache/ImageHint.h"
+#include "ImageCache/ImageQuery.h"
+#include "Lattice/RayHint.h"
 
 namespace TemporalCoherence
 {
 
-/// The hint of PAPER: a definite hit is refined within a voxel, or re-used with its colour.
-class PaperHint : public ImageHint
+/// What a cached image tells of rays, as published: definite misses are not traced, a definite hit
+/// is refined within a voxel or re-used with its colour, and possible hits are traced from where
+/// the image tells no more.
+class PaperHint : public RayHint
 {
 public:
+  /// \param query       must outlive the hint
+  /// \param isSolid     surfaces are those of THRESHOLD
+  /// \param isParallel  kind of the projection
   /// \param interpolates definite hits are re-used from the image
   PaperHint(const ImageQuery& query, bool isSolid, bool isParallel, bool interpolates)
-    : ImageHint(query, isSolid)
+    : Query(query)
+    , IsSolid(isSolid)
     , IsParallel(isParallel)
     , Interpolates(interpolates)
   {
@@ -23,9 +30,17 @@ public:
   bool Narrow(RayBatch& rays, KnownRays& known) const override;
   bool TakeOver(
     const KnownRays& known, const RayBatch& rays, std::size_t ray, Frame& frame) const override;
+  bool Correct(
+    const KnownRays& known, const HitBatch& hits, std::size_t ray, RayBatch& rays) const override;
+  Told TellOf(const KnownRays& known, const RayBatch& rays, const HitBatch& hits,
+    std::size_t ray) const override;
 
 private:
-  bool IsParallel; ///< kind of the projection
+  bool IsWrong(const KnownRays& known, const HitBatch& hits, std::size_t ray) const;
+
+  const ImageQuery& Query;
+  bool IsSolid;
+  bool IsParallel;
   bool Interpolates;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/BandBuilder.h"
 
-#include "Trace/RayPieces.h"
+#include "Lattice/RayPieces.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,26 +10,29 @@
 namespace TemporalCoherence
 {
 
-BandBuilder::BandBuilder(const FrameKey& key, const Isomap& map, const ValueRangePyramid& pyramid,
-  const ValueBand& band, const TileBounds* bounds, std::size_t most)
-  : Key(key)
+BandBuilder::BandBuilder(const BandSource& source, const Isomap& map, const ValueBand& band,
+  const TileBounds* bounds, std::size_t most)
+  : Key(source.Key)
   , Values(band)
   , Pieces(map.Pieces())
-  , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
+  , Rays(Key.View, Key.Transform, Key.Samples.Dimensions, Key.Region)
   , Bounds(bounds)
 {
+  const FrameKey& key = source.Key;
   const SurfaceMode mode = key.Isosurfaces.Mode;
-  this->Active.Build(key.Samples, pyramid, band, mode);
-  this->Tracer = BandTracer::Make({ key.Samples, pyramid.FiniteRange(), &pyramid, &this->Active,
-    band, mode, map.Form(), key.Transform, most });
+  this->Active.Build(key.Samples, source.Pyramid, band, mode);
+  BandScene scene{ key.Samples, source.Pyramid.FiniteRange(), &source.Pyramid, &this->Active, band,
+    mode, map.Form(), key.Transform };
+  scene.MemoryLimit = most;
+  this->Tracer = source.MakeTracer(scene);
 }
 
-void BandBuilder::FindBounds(
-  const FrameKey& key, const ValueRangePyramid& pyramid, const ValueBand& band, TileBounds& bounds)
+void BandBuilder::FindBounds(const BandSource& source, const ValueBand& band, TileBounds& bounds)
 {
+  const FrameKey& key = source.Key;
   ActiveCells active;
-  active.Build(key.Samples, pyramid, band, key.Isosurfaces.Mode);
-  bounds.Build(key.View, key.Transform, active, *key.Samples.Kind);
+  active.Build(key.Samples, source.Pyramid, band, key.Isosurfaces.Mode);
+  bounds.Build(key.View, key.Transform, active, *key.Samples.Shape);
   bounds.ReleaseScratch();
 }
 
@@ -65,7 +68,8 @@ GroupBand BandBuilder::Build(std::size_t group, std::int64_t& cellsRead) const
   return band;
 }
 
-/// A solid may be capped where there is no active cell.
+/// True if a tile's rays meet no active cell. Never for solids, which may be capped outside active
+/// cells.
 bool BandBuilder::CanSkip(std::int64_t tile) const
 {
   return this->Bounds && this->Key.Isosurfaces.Mode == SurfaceMode::Crossing &&

@@ -8,7 +8,7 @@
 #include "Acceleration/ValueRangePyramid.h"
 #include "Isomap/BandTracer.h"
 #include "Isomap/Isomap.h"
-#include "Trace/RaySource.h"
+#include "Lattice/RaySource.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,23 +17,29 @@
 namespace TemporalCoherence
 {
 
+/// The frame that bands are built for. Its members must outlive the builders.
+struct BandSource
+{
+  const FrameKey& Key;
+  const ValueRangePyramid& Pyramid; ///< of the key's field
+  BandTracerMaker MakeTracer;
+};
+
 /// Builds the knots of groups of tiles for one band of isovalues.
 class BandBuilder
 {
 public:
   /// The arguments must outlive this.
   /// \param map     gives view, data and form of the knots
-  /// \param pyramid of the field of `key`
-  /// \param bounds  of the band or of a wider one; null for none. The knots are the same
-  /// \param most    bytes of knots in a tile from which the band is too large anyway
+  /// \param bounds  of the band or of a wider band, or null; they only save time
+  /// \param most    bytes of knots in one tile above which the whole band is too large
   /// \throws std::bad_alloc
-  BandBuilder(const FrameKey& key, const Isomap& map, const ValueRangePyramid& pyramid,
-    const ValueBand& band, const TileBounds* bounds, std::size_t most);
+  BandBuilder(const BandSource& source, const Isomap& map, const ValueBand& band,
+    const TileBounds* bounds, std::size_t most);
 
   /// Find the bounds of a band, for builders.
   /// \throws std::bad_alloc; the bounds are then unusable
-  static void FindBounds(const FrameKey& key, const ValueRangePyramid& pyramid,
-    const ValueBand& band, TileBounds& bounds);
+  static void FindBounds(const BandSource& source, const ValueBand& band, TileBounds& bounds);
 
   /// Build the band of a group. Thread-safe.
   /// \param cellsRead is increased

@@ -4,9 +4,9 @@
 #define TemporalCoherence_BandCells_h
 
 #include "Isomap/BandTracer.h"
+#include "Lattice/CellRoot.h"
+#include "Lattice/CellSamples.h"
 #include "Scene/Difference.h"
-#include "Trace/CellRoot.h"
-#include "Trace/CellSamples.h"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +17,11 @@
 namespace TemporalCoherence
 {
 
-/// The positions of directions in arrays.
+/// Positions of the directions in arrays.
 constexpr auto Rising = static_cast<std::size_t>(ValueDirection::Rising);
 constexpr auto Falling = static_cast<std::size_t>(ValueDirection::Falling);
 
-/// A cell: the progress of its samples in both directions.
+/// The farthest progress of a cell's samples in both directions.
 template <typename Real>
 struct CellReach
 {
@@ -30,7 +30,7 @@ struct CellReach
   bool IsFinite; ///< all samples are finite
 };
 
-/// The cells that a band goes through, for any geometry (TracedCells.h).
+/// The cells of a band, for any geometry (TracedCells.h).
 template <typename T, typename Geometry>
 struct BandCells
 {
@@ -70,7 +70,7 @@ struct BandCells
       {
         if (!std::isfinite(sample))
         {
-          // The difference of such a sample depends on the isovalue, so it may have any progress.
+          // A non-finite sample's difference depends on the isovalue, so its progress is unbounded.
           reach.IsFinite = false;
           (sample > T(0) ? highest : lowest) = sample > T(0) ? Infinity : -Infinity;
         }

@@ -3,10 +3,10 @@
 #ifndef TemporalCoherence_BandProgress_h
 #define TemporalCoherence_BandProgress_h
 
-#include "Acceleration/HiddenCells.h"
 #include "Isomap/BandCells.h"
 #include "Isomap/KnotCollector.h"
 #include "Isomap/SegmentRanges.h"
+#include "Scene/HiddenCells.h"
 
 #include <algorithm>
 #include <array>
@@ -15,10 +15,10 @@
 namespace TemporalCoherence
 {
 
-/// How far the rays of a tile have come through a band, and the knots that follow.
+/// The progress of a tile's rays through a band, and the resulting knots.
 ///
-/// Whoever takes the rays through active cells tells of those that can bring a ray on, in their
-/// order along it. Others change nothing.
+/// The caller takes rays through active cells, and reports each cell that can raise a ray's
+/// progress, in order along the ray. Other cells change nothing.
 template <typename T, typename Geometry, Interpolation Between>
 class BandProgress
 {
@@ -50,13 +50,13 @@ public:
       this->Reached[Falling][ray] == Cells::Infinity;
   }
 
-  /// True if progress like this would be more than a ray has made.
+  /// True if a cell that reaches this progress can raise the progress of a ray.
   bool CanBringOn(std::size_t ray, Real toRise, Real toFall) const
   {
     return toRise > this->Reached[Rising][ray] || toFall > this->Reached[Falling][ray];
   }
 
-  /// What rays have reached in a direction; infinity where nothing ahead matters.
+  /// The progress of rays in a direction; infinity where nothing ahead matters.
   const RayBatch::Array<Real>& ReachedIn(std::size_t direction) const
   {
     return this->Reached[direction];
@@ -65,8 +65,8 @@ public:
   /// True if the knots exceed the limit.
   bool IsTooLarge() const { return this->Knots.MemoryInBytes() > this->Band.Scene.MemoryLimit; }
 
-  /// Take note of a cell that a ray passes and that can bring it on.
-  /// \param at segment i of these is that of the ray in the cell
+  /// Note a cell that a ray passes and that can raise its progress.
+  /// \param at, i segments, and the number of the ray's segment in the cell
   void TakeNote(std::size_t ray, const glm::ivec3& place, const CellReach<Real>& cell,
     const RangesView<Real>& at, std::size_t i)
   {
@@ -106,12 +106,13 @@ public:
     }
   }
 
-  /// Hand the knots over. Nothing can be done with this afterwards.
+  /// Hand the knots over. This object is unusable afterwards.
   /// \throws std::bad_alloc
   void HandOver(TileKnots& knots)
   {
     const BandScene& scene = this->Band.Scene;
-    this->Knots.HandOver(scene.Samples, scene.FiniteRange, scene.Transform, knots);
+    this->Knots.HandOver(
+      { scene.Samples, scene.Normals, scene.FiniteRange, scene.Transform }, knots);
     if (this->HasEntries)
     {
       knots.Entries.assign(this->Entries.begin(), this->Entries.begin() + this->Rays.Count);
@@ -121,7 +122,8 @@ public:
   std::int64_t CellsRead = 0;
 
 private:
-  /// A ray begins in a cell. A value that is not finite there differs from isovalue to isovalue.
+  /// Begin a ray in a cell. Non-finite samples there make the ray unresolved, as their differences
+  /// depend on the isovalue.
   void EnterBy(std::size_t ray, const CellReach<Real>& cell, Real entry)
   {
     this->Enter(ray, entry, cell.Error);
@@ -132,7 +134,7 @@ private:
     }
   }
 
-  /// A ray begins with this difference from the band's lowest isovalue.
+  /// Begin a ray at a difference from the band's lowest isovalue.
   void Enter(std::size_t ray, Real entry, Real error)
   {
     this->HasEntered[ray] = true;
@@ -158,8 +160,7 @@ private:
     BandScale::Key& last = this->Noted[direction][ray];
     if (reached > last)
     {
-      // The normal of a ray's first knot is taken half way to where the field comes farthest,
-      // others there.
+      // Normals are taken at the farthest progress; a ray's first normal half way to that point.
       const bool isFirst = last == 0;
       last = reached;
       const CellIndex index = { static_cast<std::uint16_t>(place.x),
@@ -171,7 +172,7 @@ private:
     }
   }
 
-  /// Progress along segment i, which is rising in its direction.
+  /// Progress along segment i as a cubic, in one direction.
   Cubic<double> CubicOf(std::size_t direction, const RangesView<Real>& at, std::size_t i) const
   {
     Cubic<double> cubic;
@@ -242,7 +243,7 @@ private:
   KnotCollector Knots;
 
   alignas(64) std::array<RayBatch::Array<Real>, NumberOfDirections> Reached;
-  std::array<RayBatch::Array<BandScale::Key>, NumberOfDirections> Noted{}; ///< of the last knots
+  std::array<RayBatch::Array<BandScale::Key>, NumberOfDirections> Noted{}; ///< last knots' keys
   RayBatch::Array<bool> HasEntered; ///< the value where the ray begins is known
   RayBatch::Array<float> Entries;
   bool HasEntries = false; ///< some ray begins in the band or above it

@@ -7,10 +7,11 @@
 #include "Acceleration/ValueRangePyramid.h"
 #include "Isomap/KnotCollector.h"
 #include "Isomap/Knots.h"
+#include "Lattice/SurfaceTracer.h"
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Surfaces.h"
-#include "Trace/SurfaceTracer.h"
+#include "Shade/FieldNormals.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -30,25 +31,21 @@ struct BandScene
   ValueBand Band;
   SurfaceMode Mode = SurfaceMode::Crossing;
   KnotForm Form{};
-  IndexTransform Transform{}; ///< for normals
+  IndexTransform Transform{};            ///< for normals
+  const FieldNormals* Normals = nullptr; ///< of the field; not null if the form has normals
   /// Bytes of knots in a tile from which the whole band is too large, so that tracing stops.
   std::size_t MemoryLimit = std::numeric_limits<std::size_t>::max();
-  Traversal By = Traversal::Fastest; ///< the knots are the same
+  Traversal By = Traversal::Fastest; ///< does not change the knots
 };
 
 /// Traces rays through the active cells of a band and records where each isovalue is first passed.
 ///
-/// Along a ray only those cells matter in which the running maximum of the field rises (or, for
-/// rays that begin above an isovalue, the running minimum falls). All others are skipped, whole
-/// leaves at a time. A ray ends where it has passed the whole band.
+/// Along a ray only cells matter in which the running maximum of the field rises (or, for rays that
+/// begin above an isovalue, the running minimum falls). Other cells are skipped, whole leaves at a
+/// time. A ray ends where it has passed the whole band.
 class BandTracer
 {
 public:
-  /// Make the tracer for the kind of the scene's field; null if there is none. The scene's
-  /// structures must outlive it.
-  /// \throws std::bad_alloc
-  static std::shared_ptr<const BandTracer> Make(const BandScene& scene);
-
   virtual ~BandTracer() = default;
   BandTracer(const BandTracer&) = delete;
   BandTracer& operator=(const BandTracer&) = delete;
@@ -61,6 +58,10 @@ public:
 protected:
   BandTracer() = default;
 };
+
+/// Makes the tracer for the kind of the scene's field; null if there is none. The scene's
+/// structures must outlive it. \throws std::bad_alloc
+using BandTracerMaker = std::shared_ptr<const BandTracer> (*)(const BandScene& scene);
 
 }
 

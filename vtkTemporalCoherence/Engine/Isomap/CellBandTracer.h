@@ -5,7 +5,7 @@
 
 #include "Isomap/BandProgress.h"
 #include "Isomap/BandTracer.h"
-#include "Trace/CellWalk.h"
+#include "Lattice/CellWalk.h"
 
 #include <cmath>
 #include <memory>
@@ -47,7 +47,7 @@ protected:
       [&](std::size_t ray) { return !progress.IsDone(ray); });
     while (live.Count > 0 && !progress.IsTooLarge())
     {
-      // Walk to the next cells that can bring rays on.
+      // Walk to the next cells that can raise the progress of rays.
       live.Keep([&](std::size_t ray)
         { return this->Advance(rays, ray, live.Walks[ray], round, progress); });
       round.Segments.Find(rays, this->Cells.Shape);
@@ -65,14 +65,14 @@ protected:
   BandCells<T, Geometry> Cells;
 
 private:
-  /// The cells that rays have come to.
+  /// The present cells of the walking rays.
   struct Round
   {
     SegmentRanges<Geometry, Between> Segments;
     RayBatch::Array<CellReach<Real>> Reach;
   };
 
-  /// Blocks of cells that can bring a ray on.
+  /// A filter of blocks of cells that can raise a ray's progress.
   struct UsefulBlocks
   {
     bool IsOfUse(const ValueRangePyramid::Range<T>& range) const
@@ -82,7 +82,7 @@ private:
       Real lowest = this->Cells.FromLowest(static_cast<Value>(range.Min));
       if constexpr (std::is_floating_point_v<T>)
       {
-        // As for cells: samples that are not finite may have any progress.
+        // As for cells, the progress of non-finite samples is unbounded.
         highest = std::isfinite(range.Max) ? highest : infinity;
         lowest = std::isfinite(range.Min) ? lowest : -infinity;
       }
@@ -102,7 +102,7 @@ private:
     std::size_t Ray;
   };
 
-  /// Walk to the next cell that can bring a ray on.
+  /// Walk to the next cell that can raise a ray's progress.
   /// \return false if its walk ends first
   bool Advance(
     const RayBatch& rays, std::size_t ray, CellWalk& walk, Round& round, Progress& progress) const

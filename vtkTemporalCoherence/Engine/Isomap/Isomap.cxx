@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/Isomap.h"
 
-#include "Trace/RegionClipper.h"
+#include "Lattice/RegionClipper.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,7 +27,7 @@ auto FindIn(Bands& bands, double isovalue) -> decltype(bands.data())
 bool Isomap::CanHold(const Field& field)
 {
   constexpr int largest = std::numeric_limits<CellIndex::value_type>::max();
-  return field.HasCells() && field.Kind->Abilities().Isomaps &&
+  return field.HasCells() && field.Shape->Abilities().Isomaps &&
     glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
@@ -43,12 +43,12 @@ double Isomap::SmallestTolerance(const Field& field, const IndexTransform& trans
   }
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
   const double kept = rounding * longest / (1.0 - FitShare);
-  return std::max(FinestTolerance, kept / field.Kind->VoxelSizeIn(transform).Shortest);
+  return std::max(FinestTolerance, kept / field.Shape->VoxelSizeIn(transform).Shortest);
 }
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
 {
-  // Layers behind a translucent surface are traced from there on, so that it has to be exact.
+  // Tracing layers behind a translucent surface begins at its distance, which must be exact.
   if (key.Isosurfaces.IsTranslucent())
   {
     return {};
@@ -56,9 +56,9 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
   // With nearest interpolation there are no curves to fit. Behind hidden cells, distances may jump,
   // and in meshes anywhere.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
-    !key.Samples.Kind->Abilities().IsMesh && options.Tolerance > 0.0 &&
+    !key.Samples.Shape->Abilities().IsMesh && options.Tolerance > 0.0 &&
     options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
-  return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Transform).Shortest
+  return { isFitted ? options.Tolerance * key.Samples.Shape->VoxelSizeIn(key.Transform).Shortest
                     : 0.0,
     options.HasNormals };
 }

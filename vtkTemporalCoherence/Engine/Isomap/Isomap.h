@@ -21,8 +21,8 @@ namespace TemporalCoherence
 struct GroupBand
 {
   ValueBand Values{ 1.0, 0.0 };
-  /// By number of the tile in its group, and of the piece of its rays. Empty if no ray meets any
-  /// isovalue of the band.
+  /// Indexed by tile in the group, then by ray piece. Empty if no ray meets an isovalue of the
+  /// band.
   std::vector<TileKnots> Tiles{};
   std::size_t Memory = 0; ///< bytes
   std::size_t NumberOfKnots = 0;
@@ -30,7 +30,7 @@ struct GroupBand
   std::uint64_t Made = 0;    ///< number of the frame
   bool IsAsked = false;      ///< the user asks for its range
 
-  /// What the rays of a tile know, for each of their pieces; null if they meet nothing.
+  /// The knots of a tile, one entry per ray piece; null if all rays miss the band.
   const TileKnots* At(std::size_t tileInGroup, std::size_t pieces) const
   {
     return this->Tiles.empty() ? nullptr : this->Tiles.data() + tileInGroup * pieces;
@@ -46,8 +46,7 @@ struct BandBounds
 
 /// For one view: where the ray of each pixel first passes each isovalue.
 ///
-/// Every group of tiles has bands of isovalues of its own, each built when the group had the time
-/// for it.
+/// Every group of tiles has its own bands of isovalues, built when a frame had time for the group.
 class Isomap
 {
 public:
@@ -76,7 +75,7 @@ public:
   /// could be located, and every ray would be traced.
   static constexpr double FinestTolerance = 1e-3;
 
-  /// The same for a field of any size.
+  /// The finest tolerance for a field of any size; smaller ones count as 0.
   static double SmallestTolerance(const Field& field, const IndexTransform& transform);
 
   /// The form of the knots for a frame. For translucent surfaces, tolerance and normals count as
@@ -103,14 +102,14 @@ public:
 
   void Release() { *this = Isomap(); }
 
-  /// The frame that it was begun with.
+  /// The key of the frame that began the isomap.
   const FrameKey& FirstKey() const { return this->Key; }
   const KnotForm& Form() const { return this->KnotsAre; }
 
   /// Largest error in the distance of looked-up surfaces; 0: they are exact.
   double Tolerance() const { return this->KnotsAre.Tolerance; }
 
-  /// Pieces that a ray may have in the region.
+  /// Number of pieces into which the region may split a ray.
   std::size_t Pieces() const;
 
   std::size_t Size() const { return this->Groups.size(); }
@@ -121,14 +120,13 @@ public:
   /// True if a group has a band for each isovalue.
   bool Covers(std::size_t group, const std::vector<double>& isovalues) const;
 
-  /// True if every group does.
+  /// True if every group has a band for each isovalue.
   bool Covers(const std::vector<double>& isovalues) const;
 
   /// True if every group has a band that holds all of these isovalues.
   bool Holds(const ValueBand& values) const;
 
-  /// Add a band to a group. Different groups may get theirs at the same time; Count() comes after
-  /// that.
+  /// Add a band to a group. Thread-safe for different groups; call Count() afterwards.
   /// \throws std::bad_alloc; nothing is changed
   void Add(std::size_t group, GroupBand&& band);
 
@@ -139,34 +137,34 @@ public:
   /// Mark the bands in which the isovalues of a frame are looked up.
   void MarkUsed(const std::vector<double>& isovalues, std::uint64_t frame);
 
-  /// Nobody asks for any band any more.
+  /// Mark all bands as no longer asked for.
   void ForgetAsked();
 
   /// Mark the bands that hold all of these isovalues as asked for.
   void MarkAsked(const ValueBand& values);
 
-  /// Tells some bands from others.
+  /// Selects bands.
   using Which = std::function<bool(const GroupBand&)>;
 
-  /// Bytes of some of the bands.
+  /// Bytes of the selected bands.
   std::size_t MemoryOf(const Which& which) const;
 
-  /// Drop some of the bands, the least recently used ones first, until all of these together take
-  /// at most `limit` bytes.
+  /// Drop selected bands, the least recently used first, until the selected bands together take at
+  /// most `limit` bytes.
   /// \return true if any was dropped
   bool Trim(std::size_t limit, const Which& which);
 
-  /// Drop some bands.
+  /// Drop the selected bands.
   void Drop(const Which& which);
 
-  /// Make room for the bounds of so many isovalues of a frame; drop those of others.
+  /// Make room for the bounds of a frame's number of isovalues; drop surplus bounds.
   /// \throws std::bad_alloc; nothing is changed
   void ResizeBounds(std::size_t isovalues);
 
-  /// The bounds kept for an isovalue of a frame, by its number, if they serve a band; else null.
+  /// The bounds kept for isovalue number `isovalue` of a frame, if they contain `band`; else null.
   const TileBounds* FindBounds(std::size_t isovalue, const ValueBand& band) const;
 
-  /// Keep bounds in place of those of an isovalue.
+  /// Replace the bounds of an isovalue.
   void KeepBounds(std::size_t isovalue, BandBounds&& bounds);
 
   /// Drop all bounds.
@@ -175,7 +173,7 @@ public:
   /// Bytes of all bounds.
   std::size_t MemoryOfBounds() const;
 
-  /// Bytes of all bands and bounds, and of what holds them.
+  /// Bytes of all bands and bounds, and of their containers.
   std::size_t MemoryInBytes() const { return this->Memory; }
   std::size_t NumberOfKnots() const { return this->Knots; }
   std::size_t NumberOfBands() const { return this->Bands; }

@@ -30,7 +30,7 @@ ValueBand RangeAskedFor(
     std::min(options.Range.High, std::max(samples.y, isovalue)) };
 }
 
-/// Ranges that are known not to fit. Who asks for more in turn waits for them again.
+/// Remembers at most this many ranges that exceeded the limit; older ranges are tried again.
 constexpr std::size_t MostFailed = 64;
 
 ValueBand BandAround(const ValueRangePyramid& pyramid, double isovalue)
@@ -50,7 +50,7 @@ bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options
   return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && !hasFailed;
 }
 
-/// If a range is new, what was asked for before is no longer asked for.
+/// Ask for a range. A new range replaces the previous request.
 void IsomapBuilder::Ask(const ValueBand& range, const ValueRangePyramid& pyramid)
 {
   if (AreEqual(range, this->RangeAsked))
@@ -68,9 +68,9 @@ void IsomapBuilder::Ask(const ValueBand& range, const ValueRangePyramid& pyramid
 }
 
 /// \return false if the limit of memory is too low
-bool IsomapBuilder::Begin(
-  const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid)
+bool IsomapBuilder::Begin(const BandSource& source, const Isomap::Options& options)
 {
+  const FrameKey& key = source.Key;
   this->Cells = 0;
   if (Isomap::FixedMemory(key) > options.MemoryLimit)
   {
@@ -80,14 +80,12 @@ bool IsomapBuilder::Begin(
   }
   if (!this->Map.IsOf(key, options))
   {
-    GroupCosts costs = std::move(this->State.Costs); // of the last frame that was traced
     this->State = DragState();
-    this->State.Costs = std::move(costs);
     this->FailedLimit = 0;
     this->FailedRanges.clear();
     this->Map.Begin(key, options);
   }
-  this->Ask(options.Range, pyramid);
+  this->Ask(options.Range, source.Pyramid);
   this->FailedLimit = 0;
   return true;
 }
@@ -114,8 +112,8 @@ void IsomapBuilder::Note(const ValueBand& range, std::size_t limit, bool hasFail
   }
 }
 
-Isomap::Outcome IsomapBuilder::Build(const ValueBand& range, const FrameKey& key,
-  const Isomap::Options& options, const ValueRangePyramid& pyramid, const ReportProgress& report)
+Isomap::Outcome IsomapBuilder::Build(const ValueBand& range, const BandSource& source,
+  const Isomap::Options& options, const ReportProgress& report)
 {
   if (this->Map.Holds(range))
   {
@@ -126,7 +124,7 @@ Isomap::Outcome IsomapBuilder::Build(const ValueBand& range, const FrameKey& key
   {
     return Isomap::Outcome::TooLarge;
   }
-  const RangeBuild wanted{ key, pyramid, range, options.MemoryLimit, ++this->State.Frame };
+  const RangeBuild wanted{ source, range, options.MemoryLimit, ++this->State.Frame };
   const Isomap::Outcome outcome =
     BuildRange(wanted, this->Map, report, this->State.HasDropped, this->Cells);
   if (outcome != Isomap::Outcome::Stopped)
@@ -136,22 +134,22 @@ Isomap::Outcome IsomapBuilder::Build(const ValueBand& range, const FrameKey& key
   return outcome;
 }
 
-Isomap::Outcome IsomapBuilder::Prepare(const FrameKey& key, const Isomap::Options& options,
-  const ValueRangePyramid& pyramid, const ReportProgress& report)
+Isomap::Outcome IsomapBuilder::Prepare(
+  const BandSource& source, const Isomap::Options& options, const ReportProgress& report)
 {
-  if (!this->Begin(key, options, pyramid))
+  if (!this->Begin(source, options))
   {
     return Isomap::Outcome::TooLarge;
   }
   this->IsRangeTooLarge = false;
-  for (const double isovalue : key.Isosurfaces.Isovalues)
+  for (const double isovalue : source.Key.Isosurfaces.Isovalues)
   {
-    const ValueBand range = RangeAskedFor(options, pyramid, isovalue);
+    const ValueBand range = RangeAskedFor(options, source.Pyramid, isovalue);
     if (!range.Holds(isovalue) || this->Map.Covers({ isovalue }))
     {
       continue;
     }
-    const Isomap::Outcome outcome = this->Build(range, key, options, pyramid, report);
+    const Isomap::Outcome outcome = this->Build(range, source, options, report);
     if (outcome == Isomap::Outcome::Stopped)
     {
       this->ForgetIfEmpty();
@@ -162,23 +160,24 @@ Isomap::Outcome IsomapBuilder::Prepare(const FrameKey& key, const Isomap::Option
   return Isomap::Outcome::Built;
 }
 
-Isomap::Outcome IsomapBuilder::BuildAhead(const FrameKey& key, const Isomap::Options& options,
-  const ValueRangePyramid& pyramid, const ReportProgress& report)
+Isomap::Outcome IsomapBuilder::BuildAhead(
+  const BandSource& source, const Isomap::Options& options, const ReportProgress& report)
 {
+  const std::vector<double>& isovalues = source.Key.Isosurfaces.Isovalues;
   Isomap::Outcome outcome =
-    this->Begin(key, options, pyramid) ? Isomap::Outcome::Built : Isomap::Outcome::TooLarge;
+    this->Begin(source, options) ? Isomap::Outcome::Built : Isomap::Outcome::TooLarge;
   this->Map.ForgetAsked();
-  for (const double isovalue : key.Isosurfaces.Isovalues)
+  for (const double isovalue : isovalues)
   {
     if (outcome == Isomap::Outcome::Built)
     {
-      const ValueBand range = RangeAskedFor(options, pyramid, isovalue);
-      outcome = this->Build(range.Holds(isovalue) ? range : BandAround(pyramid, isovalue), key,
-        options, pyramid, report);
+      const ValueBand range = RangeAskedFor(options, source.Pyramid, isovalue);
+      outcome = this->Build(range.Holds(isovalue) ? range : BandAround(source.Pyramid, isovalue),
+        source, options, report);
     }
   }
   // Another band that is needed may have been dropped to make room.
-  if (outcome == Isomap::Outcome::Built && !this->Map.Covers(key.Isosurfaces.Isovalues))
+  if (outcome == Isomap::Outcome::Built && !this->Map.Covers(isovalues))
   {
     outcome = Isomap::Outcome::TooLarge;
   }
@@ -197,14 +196,14 @@ void IsomapBuilder::Trim(std::size_t limit)
   const bool isDropped =
     this->Map.Trim(limit > fixed ? limit - fixed : 0, [](const GroupBand&) { return true; });
   this->State.HasDropped =
-    (this->State.HasDropped || isDropped) && limit > 0; // without a limit nobody wants an isomap
+    (this->State.HasDropped || isDropped) && limit > 0; // a limit of 0 asks for no isomap
   if (limit < fixed)
   {
     this->Map.Release();
   }
 }
 
-/// What was stopped leaves nothing.
+/// Release an isomap without bands, which a stopped build leaves behind.
 void IsomapBuilder::ForgetIfEmpty()
 {
   if (this->Map.NumberOfBands() == 0)
@@ -215,9 +214,7 @@ void IsomapBuilder::ForgetIfEmpty()
 
 void IsomapBuilder::Release()
 {
-  GroupCosts costs = std::move(this->State.Costs);
   *this = IsomapBuilder();
-  this->State.Costs = std::move(costs);
 }
 
 }

@@ -3,7 +3,6 @@
 #ifndef TemporalCoherence_IsomapBuilder_h
 #define TemporalCoherence_IsomapBuilder_h
 
-#include "Acceleration/ValueRangePyramid.h"
 #include "Isomap/FrameBands.h"
 #include "Isomap/Isomap.h"
 #include "Scene/FrameKey.h"
@@ -40,20 +39,20 @@ public:
   /// Begin the isomap of a frame's view, if that has none, and build the range that the user asks
   /// for if it holds an isovalue of the frame.
   /// \return TooLarge if not even an empty isomap fits the memory limit. A range that is too large
-  ///         is no reason not to use the isomap
+  ///         does not prevent the use of the isomap
   /// \throws std::bad_alloc
-  Isomap::Outcome Prepare(const FrameKey& key, const Isomap::Options& options,
-    const ValueRangePyramid& pyramid, const ReportProgress& report);
+  Isomap::Outcome Prepare(
+    const BandSource& source, const Isomap::Options& options, const ReportProgress& report);
 
   /// Build the range that the user asks for, and narrow bands around the isovalues outside of it.
   /// \throws std::bad_alloc
-  Isomap::Outcome BuildAhead(const FrameKey& key, const Isomap::Options& options,
-    const ValueRangePyramid& pyramid, const ReportProgress& report);
+  Isomap::Outcome BuildAhead(
+    const BandSource& source, const Isomap::Options& options, const ReportProgress& report);
 
   /// Cells that the last call of Prepare or BuildAhead read.
   std::int64_t CellsRead() const { return this->Cells; }
 
-  /// True if the memory limit was too low for what was needed last.
+  /// True if the memory limit was too low for the last request.
   bool IsTooLarge() const { return this->FailedLimit > 0 || this->IsRangeTooLarge; }
 
   /// True if bands were dropped because of the user's limit of memory.
@@ -73,11 +72,11 @@ public:
   void Release();
 
 private:
-  bool Begin(const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid);
+  bool Begin(const BandSource& source, const Isomap::Options& options);
   void Ask(const ValueBand& range, const ValueRangePyramid& pyramid);
   void ForgetIfEmpty();
-  Isomap::Outcome Build(const ValueBand& range, const FrameKey& key, const Isomap::Options& options,
-    const ValueRangePyramid& pyramid, const ReportProgress& report);
+  Isomap::Outcome Build(const ValueBand& range, const BandSource& source,
+    const Isomap::Options& options, const ReportProgress& report);
 
   /// A range that did not fit into a limit of memory.
   struct FailedRange
@@ -92,8 +91,8 @@ private:
   DragState State;
   std::size_t FailedLimit = 0;           ///< memory limit that not even an empty isomap fitted
   std::vector<FailedRange> FailedRanges; ///< of this view, the latest ones
-  bool IsRangeTooLarge = false;          ///< some range that the last frame to build asked for
-  ValueBand RangeAsked{ 1.0, 0.0 };      ///< by the last frame that built, or ahead
+  bool IsRangeTooLarge = false;          ///< a range of the last frame to build did not fit
+  ValueBand RangeAsked{ 1.0, 0.0 };      ///< by the last frame, or BuildAhead
   std::int64_t Cells = 0;
 };
 

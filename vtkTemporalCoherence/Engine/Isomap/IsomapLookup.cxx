@@ -3,7 +3,7 @@
 #include "Isomap/IsomapLookup.h"
 
 #include "Isomap/TileGroups.h"
-#include "Trace/RayPieces.h"
+#include "Lattice/RayPieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +66,8 @@ bool AreNeighbors(const CellIndex& a, const CellIndex& b)
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) <= 1;
 }
 
-/// The normal at a key between the last knot and this one. If their cells are not adjacent, the
-/// normal of this knot alone.
+/// The normal at a key, interpolated between the previous knot and knot `knot`. If their cells are
+/// not adjacent, the normal of `knot` alone.
 glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std::size_t first,
   std::size_t knot, BandScale::Key key)
 {
@@ -86,7 +86,8 @@ glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std
 
 }
 
-IsomapLookup::IsomapLookup(const FrameKey& key, const Isomap& map, const glm::dvec2& finiteRange)
+IsomapLookup::IsomapLookup(const FrameKey& key, const Isomap& map, const glm::dvec2& finiteRange,
+  std::shared_ptr<const SurfaceTracer> tracer)
   : Key(key)
   , Map(map)
   , FiniteRange(finiteRange)
@@ -95,7 +96,7 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const Isomap& map, const glm::dv
   , Pieces(map.Pieces())
   , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
   , Rules(key.Isosurfaces, key.Samples.Hidden != nullptr)
-  , Tracer(SurfaceTracer::Make({ key.Samples, key.Isosurfaces, finiteRange, nullptr }))
+  , Tracer(std::move(tracer))
 {
 }
 
@@ -128,7 +129,7 @@ catch (const std::bad_alloc&)
   return false;
 }
 
-/// What is stored of a tile for an isovalue, of each piece of its rays; null if they meet nothing.
+/// The knots of a tile for an isovalue, one entry per ray piece; null if all rays miss the band.
 const TileKnots* IsomapLookup::KnotsOf(const IsovalueKeys& keys, std::int64_t tile) const
 {
   return keys.Band->At(static_cast<std::size_t>(tile % TileGrain), this->Pieces);
@@ -147,7 +148,7 @@ bool IsomapLookup::IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& ke
     });
 }
 
-/// Have memory bring the knots of the next tile while this one is looked up.
+/// Prefetch the knots of the next tile while this tile is looked up.
 void IsomapLookup::PrefetchNext(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const
 {
   const auto group = static_cast<std::size_t>(tile / TileGrain);
@@ -201,7 +202,7 @@ TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part,
 }
 
 /// Write the hits of a tile.
-/// \param unresolved rays that do not count, one bit each
+/// \param unresolved rays to leave out of the counts, one bit each
 TraceCounts IsomapLookup::StoreFound(
   std::uint64_t unresolved, TileHits& tileHits, Frame& frame) const
 {
@@ -234,7 +235,7 @@ TraceCounts IsomapLookup::StoreFound(
   return counts;
 }
 
-/// Look rays up in their first pieces, then those that meet nothing there in their next ones.
+/// Look up all rays in their first pieces, then rays without a hit in their next pieces.
 void IsomapLookup::FindInPieces(std::int64_t tile, const RayBatch& rays, Found& found) const
 {
   const RayPieces pieces(this->Rays.Clipper, rays);
@@ -352,11 +353,11 @@ void IsomapLookup::FindKnots(const IsovalueKeys& keys, std::uint64_t which,
   }
 }
 
-/// Search the cells of further knots: in a mesh it is not always known whether a ray reaches the
-/// key of a knot in its cell.
+/// Search the cells of further knots: in a mesh, a ray may fail to reach the key of a knot in the
+/// knot's cell.
 /// \param missing one bit for each ray that has no surface in the cell of its knot
-/// \param places  of these knots; gets those of the last ones that are searched
-/// \return those for which no surface is found, or that share it with other cells
+/// \param places  of these knots; moved on to the last knots searched
+/// \return one bit for each ray without a surface, or whose surface other cells share
 std::uint64_t IsomapLookup::SearchNextKnots(std::uint64_t missing,
   const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
   RayCells& cells, RayBatch::Array<std::size_t>& places, HitBatch& hits) const
@@ -408,7 +409,7 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
   {
     const SearchedCells first = this->Tracer->SearchCells(rays, cells, hits);
     found.Unresolved |= first.Shared;
-    found.Unresolved |= this->Key.Samples.Kind->Abilities().IsMesh
+    found.Unresolved |= this->Key.Samples.Shape->Abilities().IsMesh
       ? this->SearchNextKnots(first.Missing, directions, rays, knots, cells, places, hits)
       : first.Missing;
   }
@@ -460,7 +461,7 @@ void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
   }
 }
 
-/// Normals face the viewer.
+/// Write the normals of entries and exits, turned towards the viewer.
 void IsomapLookup::StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const
 {
   const int width = this->Key.View.Size.x;

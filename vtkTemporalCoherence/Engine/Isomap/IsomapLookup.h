@@ -4,12 +4,12 @@
 #define TemporalCoherence_IsomapLookup_h
 
 #include "Isomap/Isomap.h"
+#include "Lattice/HitRules.h"
+#include "Lattice/RaySource.h"
+#include "Lattice/SurfaceTracer.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/RayBatch.h"
 #include "Scene/TileHits.h"
-#include "Trace/HitRules.h"
-#include "Trace/RaySource.h"
-#include "Trace/SurfaceTracer.h"
 
 #include <cstdint>
 #include <memory>
@@ -27,15 +27,16 @@ public:
   /// The arguments must outlive this.
   /// \param map         of the view of the key
   /// \param finiteRange smallest and largest finite sample
-  /// \throws std::bad_alloc
-  IsomapLookup(const FrameKey& key, const Isomap& map, const glm::dvec2& finiteRange);
+  /// \param tracer      searches single cells; it leaps no space
+  IsomapLookup(const FrameKey& key, const Isomap& map, const glm::dvec2& finiteRange,
+    std::shared_ptr<const SurfaceTracer> tracer);
 
   /// An isovalue in a band.
   struct IsovalueKeys
   {
     const GroupBand* Band;
     std::array<BandScale::Key, NumberOfDirections> Key; ///< of the isovalue, in each direction
-    std::array<double, NumberOfDirections> Progress;    ///< the same, as stored
+    std::array<double, NumberOfDirections> Progress;    ///< progress of the isovalue, as stored
   };
 
   /// The isovalues of the frame in the bands of a group of tiles.
@@ -44,8 +45,8 @@ public:
   bool FindBands(std::size_t group, std::vector<IsovalueKeys>& keys) const;
 
   /// Look up the rays through `part`, which is tile number `tile`, and write their planes: definite
-  /// hits and misses, and caps, which are possible hits. If knots have normals, those of definite
-  /// hits are written, too. Thread-safe.
+  /// hits and misses, and caps, which are possible hits. If knots have normals, the normals of
+  /// definite hits are written, too. Thread-safe.
   /// \param keys       of the tile's group
   /// \param unresolved gets one bit for each ray that must be traced instead: its isovalue is too
   ///                   close to a value that the ray barely reaches. Its planes are undefined.
@@ -55,7 +56,7 @@ public:
     TileHits& tileHits) const;
 
 private:
-  /// What was found in a tile.
+  /// The results of a tile.
   struct Found
   {
     Found(const std::vector<IsovalueKeys>& isovalues, HitBatch& hits)

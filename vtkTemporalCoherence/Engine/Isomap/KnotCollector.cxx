@@ -63,8 +63,7 @@ void KnotCollector::AddKnot(std::size_t direction, std::size_t ray, const Knot& 
   }
 }
 
-void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange,
-  const IndexTransform& transform, TileKnots& knots)
+void KnotCollector::HandOver(const KnotNormalSource& source, TileKnots& knots)
 {
   for (std::size_t fit = 0; fit < this->Fits.size(); ++fit)
   {
@@ -81,8 +80,7 @@ void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange,
     {
       const std::size_t count =
         std::min<std::size_t>(RayBatch::Capacity, this->Places[direction].size() - first);
-      this->FindNormals(
-        &this->Places[direction][first], count, field, finiteRange, transform, normals);
+      this->FindNormals(&this->Places[direction][first], count, source, normals);
     }
     knots.Normals[direction].Assign(normals);
   }
@@ -90,11 +88,10 @@ void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange,
 }
 
 /// Append the normals of some knots.
-void KnotCollector::FindNormals(const Place* places, std::size_t count, const Field& field,
-  const glm::dvec2& finiteRange, const IndexTransform& transform,
-  std::vector<KnotNormals::Row>& normals) const
+void KnotCollector::FindNormals(const Place* places, std::size_t count,
+  const KnotNormalSource& source, std::vector<KnotNormals::Row>& normals) const
 {
-  HitRays rays; // which begin at their points, in index space
+  HitRays rays; // they begin at the knots' points, in index space
   rays.Count = count;
   rays.AreApart = true;
   rays.T.fill(0.0);
@@ -106,16 +103,17 @@ void KnotCollector::FindNormals(const Place* places, std::size_t count, const Fi
     const double t = this->Rays.Begin[ray] + static_cast<double>(distance);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const double last = field.Dimensions[static_cast<int>(a)] - 1;
+      const double last = source.Samples.Dimensions[static_cast<int>(a)] - 1;
       const double at = this->Rays.Origin[a][ray] + t * this->Rays.Direction[a][ray];
       rays.Begin[a][i] = std::min(std::max(at, 0.0), last);
       rays.Own[a][i] = this->Rays.Direction[a][ray];
     }
   }
   const std::vector<double> reference = { this->Scale.Low };
-  const GradientQuery inIndexSpace{ field, glm::dmat4(1.0), finiteRange, &reference };
-  IndexGradients(inIndexSpace, { rays, surfaces, gradients });
-  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(transform.IndexFromWorld));
+  const GradientQuery inIndexSpace{ source.Samples, glm::dmat4(1.0), source.FiniteRange,
+    &reference };
+  source.Normals->FindGradients(inIndexSpace, { rays, surfaces, gradients });
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(source.Transform.IndexFromWorld));
   for (std::size_t i = 0; i < count; ++i)
   {
     const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);

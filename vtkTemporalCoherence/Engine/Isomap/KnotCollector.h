@@ -7,6 +7,7 @@
 #include "Isomap/Knots.h"
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
+#include "Shade/FieldNormals.h"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +32,15 @@ inline bool operator==(const KnotForm& a, const KnotForm& b)
 {
   return a.Tolerance == b.Tolerance && a.HasNormals == b.HasNormals;
 }
+
+/// Where the normals of knots come from.
+struct KnotNormalSource
+{
+  const Field& Samples;
+  const FieldNormals* Normals; ///< null if knots have none
+  glm::dvec2 FiniteRange;      ///< smallest and largest finite sample
+  const IndexTransform& Transform;
+};
 
 /// Collects the knots of the rays of a tile in any order of rays, and hands them over ray by ray.
 class KnotCollector
@@ -57,8 +67,8 @@ public:
     }
   }
 
-  /// Fit the next way of a ray through a cell.
-  /// \param progress along the way from `enter` to `leave`, by Bernstein coefficients
+  /// Fit the path of a ray through its next cell.
+  /// \param progress along the path from `enter` to `leave`, by Bernstein coefficients
   void Follow(std::size_t direction, std::size_t ray, const Cubic<double>& progress, double enter,
     double leave);
 
@@ -78,11 +88,8 @@ public:
   void GiveUp(std::size_t ray) { this->Unresolved |= std::uint64_t(1) << ray; }
 
   /// Hand over all knots. The collector must not be used afterwards.
-  /// \param field, finiteRange, transform for normals: the field, its smallest and largest finite
-  ///               sample, and where it lies
   /// \throws std::bad_alloc
-  void HandOver(const Field& field, const glm::dvec2& finiteRange, const IndexTransform& transform,
-    TileKnots& knots);
+  void HandOver(const KnotNormalSource& source, TileKnots& knots);
 
 private:
   /// Where to take the normal of a knot: the distance along its ray.
@@ -92,7 +99,7 @@ private:
     float Distance;
   };
 
-  /// Knots that there is room for at first: most tiles have no more.
+  /// Initial capacity in knots: most tiles need no more.
   static constexpr std::size_t FirstRoom = 4 * RayBatch::Capacity;
 
   void AddPlace(std::size_t direction, std::size_t ray, float distance)
@@ -100,8 +107,7 @@ private:
     this->Places[direction].push_back({ static_cast<std::uint8_t>(ray), distance });
   }
   void AddKnot(std::size_t direction, std::size_t ray, const Knot& knot);
-  void FindNormals(const Place* places, std::size_t count, const Field& field,
-    const glm::dvec2& finiteRange, const IndexTransform& transform,
+  void FindNormals(const Place* places, std::size_t count, const KnotNormalSource& source,
     std::vector<KnotNormals::Row>& normals) const;
 
   const RayBatch& Rays;

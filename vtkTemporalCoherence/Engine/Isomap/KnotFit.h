@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_KnotFit_h
 #define TemporalCoherence_KnotFit_h
 
-#include "Trace/CellRoot.h"
+#include "Lattice/CellRoot.h"
 
 #include <algorithm>
 #include <array>
@@ -22,19 +22,19 @@ struct Knot
 /// Fits the distance at which one ray first reaches each progress by a piecewise linear function,
 /// within a tolerance.
 ///
-/// Two knots of the same progress are a jump: after the first one progress falls, and it is reached
-/// again at the second one. No piece crosses a jump. Half of the tolerance is for replacing curves
-/// by chords, half for joining chords into longer pieces: while a piece grows, the cone of slopes
-/// that pass the ends of all its chords closely enough is maintained.
+/// Two knots with equal progress mark a jump: progress falls behind the first knot, and returns to
+/// its value at the second. No piece crosses a jump. Half of the tolerance covers replacing curves
+/// by chords, half covers joining chords into longer pieces: a growing piece maintains the cone of
+/// slopes that pass all its chord ends closely enough.
 ///
-/// A look-up knows progress only to a resolution. Points closer in progress than that are of no use
-/// to it unless they are also close in distance. So a chord that gains less than the resolution is
-/// not halved: if it is long, look-ups will not use it. Hence the resolution bounds the number of
-/// knots of a ray, whatever the tolerance.
+/// A look-up knows progress only to a resolution. It cannot use points within the resolution,
+/// unless their distances are close, too. So a chord that gains less progress than the resolution
+/// is not halved: look-ups do not use a long chord of this kind. Hence the resolution bounds the
+/// number of knots of a ray, whatever the tolerance.
 class KnotFit
 {
 public:
-  /// What a fit has to provide.
+  /// The requirements of a fit.
   struct Wanted
   {
     double Floor;      ///< the function is not needed below this progress
@@ -65,7 +65,7 @@ public:
       const double highest = Evaluate(cubic, end);
       if (highest > this->Reached)
       {
-        // Only what exceeds the highest progress so far.
+        // Only the part above the highest progress so far.
         const double lowest = std::max(this->Reached, floor);
         const double from = Evaluate(cubic, begin) < lowest && highest > lowest
           ? CrossingOf(cubic, lowest, begin, end)
@@ -97,7 +97,7 @@ private:
   /// More halvings make no difference in double precision.
   static constexpr int MostHalvings = 40;
 
-  /// A rising way continues, or a new one begins, at a knot.
+  /// Begin a rising way at a knot, unless it continues the present piece.
   template <typename Emit>
   void Begin(const Knot& knot, const Emit& emit)
   {

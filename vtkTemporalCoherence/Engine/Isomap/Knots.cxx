@@ -13,7 +13,7 @@ constexpr double LargestDoubt = 0.1;
 /// The fitted function of one ray.
 struct FittedRay
 {
-  /// The first knot that is not before a progress.
+  /// The first knot with at least this progress.
   std::size_t KnotOf(double progress) const
   {
     return static_cast<std::size_t>(
@@ -22,7 +22,7 @@ struct FittedRay
       this->Progress);
   }
 
-  /// \pre there is a knot before that one
+  /// \pre `knot` is not the ray's first knot
   double ShareOf(double progress, std::size_t knot) const
   {
     const auto from = static_cast<double>(this->Progress[knot - 1]);

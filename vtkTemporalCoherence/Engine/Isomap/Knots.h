@@ -111,12 +111,12 @@ inline std::size_t FirstNotBelow(
 }
 
 /// Knots of a piecewise linear function from progress to the distance at which a ray first reaches
-/// it, within a tolerance. Two knots of the same progress are a jump.
+/// it, within a tolerance. Two knots with equal progress mark a jump.
 ///
 /// Columns: progress as stored, distance from the beginning of the ray.
 using FittedKnots = RayTable<float, float>;
 
-/// What fitted knots tell about a progress.
+/// The result of a look-up of a progress in fitted knots.
 enum class FitAnswer : std::uint8_t
 {
   Missed,  ///< the ray does not reach it
@@ -149,13 +149,13 @@ constexpr float LargestNormal = 32767.0f;
 struct TileKnots
 {
   std::array<CellKnots, NumberOfDirections> Cells;     ///< for exact look-ups
-  std::array<FittedKnots, NumberOfDirections> Fitted;  ///< or for those with a tolerance
+  std::array<FittedKnots, NumberOfDirections> Fitted;  ///< for look-ups with a tolerance
   std::array<KnotNormals, NumberOfDirections> Normals; ///< of the knots, if they are wanted
 
   /// The field's difference from the band's lowest isovalue where each ray begins, as stored;
   /// -infinity below the band. Empty if all rays begin below the band.
   std::vector<float> Entries;
-  static constexpr std::size_t RaysOfLine = 16; ///< in a line of a cache
+  static constexpr std::size_t RaysOfLine = 16; ///< entries in a cache line
 
   /// One bit for each ray that cannot be looked up, because it meets samples that are not finite.
   std::uint64_t Unresolved = 0;
@@ -168,7 +168,7 @@ struct TileKnots
       this->Unresolved == 0;
   }
 
-  /// Have memory bring the cells and entries.
+  /// Prefetch the cells and entries.
   void Prefetch() const
   {
     for (const CellKnots& table : this->Cells)

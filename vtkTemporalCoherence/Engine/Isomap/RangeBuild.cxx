@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/RangeBuild.h"
 
-#include "Isomap/BandBuilder.h"
 #include "Scene/Parallel.h"
 
 #include <algorithm>
@@ -24,14 +23,14 @@ namespace
 /// tuned.
 constexpr std::size_t NumberOfParts = 16;
 
-/// What groups will take that are not built yet is taken to be less than the mean of the others by
-/// so many standard errors: a range that might fit is not given up.
+/// Standard errors by which the memory estimate of all groups is lowered before a range is given
+/// up, and raised before all groups are taken to fit.
 constexpr double Doubt = 3.0;
 
-/// Groups that are built first, to learn that from, if a part has fewer. Not tuned.
+/// Groups that are built first as a sample for the estimate, if a part has fewer. Not tuned.
 constexpr std::size_t LeastTried = 64;
 
-/// While a range is built, other bands make room for it, so much of the limit at a time. Not tuned.
+/// Other bands make room for a range in steps of the memory limit divided by this. Not tuned.
 constexpr std::size_t PartsOfRoom = 64;
 
 /// The bands of all groups, and the progress of building them.
@@ -40,12 +39,12 @@ class Work
 public:
   Work(const RangeBuild& wanted, const Isomap& map)
     : Bounds(BoundsOf(wanted))
-    , Builder(wanted.Key, map, wanted.Pyramid, wanted.Band, &this->Bounds, wanted.MemoryLimit)
+    , Builder(wanted.Source, map, wanted.Band, &this->Bounds, wanted.MemoryLimit)
     , Bands(map.Size())
     , States(map.Size(), State::Open)
     , Bytes(map.Size(), 0)
     , Order(map.Size())
-    , Size(wanted.Key.View.Size)
+    , Size(wanted.Source.Key.View.Size)
     , Frame(wanted.Frame)
   {
     const std::size_t groups = map.Size(), stride = StrideOfGroups(groups);
@@ -55,8 +54,8 @@ public:
     }
   }
 
-  /// Build some groups, to see what they take, until all of them are seen or it is time for a
-  /// report. Those that exceed the room are not kept.
+  /// Build sample groups to estimate memory, until all of them are seen or a report is due. Bands
+  /// that exceed the room are not kept.
   void Try(std::size_t room, std::size_t most, double patience)
   {
     const std::size_t tried = std::max(this->BeginOf(1), std::min(LeastTried, this->Bands.size()));
@@ -68,7 +67,7 @@ public:
       });
   }
 
-  /// Build groups of a part until all are done or it is time for a report.
+  /// Build the groups of one part, but stop when a report is due.
   void BuildPart(std::size_t part, std::size_t room, double patience)
   {
     this->ForGroups(this->BeginOf(part), this->BeginOf(part + 1), State::Done, patience,
@@ -92,12 +91,12 @@ public:
     this->AreInSquares = this->MemoryOfAll(Doubt) <= room;
     if (this->AreInSquares)
     {
-      this->Order = OrderOfGroups(this->Size, RowsOfSquare);
+      this->Order = OrderOfGroups(this->Size);
     }
   }
 
-  /// True if the groups will most probably take more. Where they are built in squares, those that
-  /// were seen do not tell of the others.
+  /// True if all groups will most probably take more than `room`. False when building in squares,
+  /// where the groups seen are no fair sample.
   bool IsMoreThan(double room) const
   {
     return !this->AreInSquares && this->MemoryOfAll(-Doubt) > room;
@@ -107,12 +106,12 @@ public:
   BandBuilder Builder;
   std::vector<GroupBand> Bands;
   std::atomic<std::size_t> Memory{ 0 };     ///< of the bands
-  std::atomic<std::size_t> MemorySeen{ 0 }; ///< those that were not kept among them
+  std::atomic<std::size_t> MemorySeen{ 0 }; ///< of all bands built, kept or not
   std::atomic<std::int64_t> Cells{ 0 };
   std::atomic<bool> HasFailed{ false }, HasEnough{ false };
 
 private:
-  /// What is known of a group: nothing, what its band takes, or its band.
+  /// State of a group: unknown, memory of its band known, or band kept.
   enum class State : std::uint8_t
   {
     Open,
@@ -129,11 +128,11 @@ private:
   static TileBounds BoundsOf(const RangeBuild& wanted)
   {
     TileBounds bounds;
-    BandBuilder::FindBounds(wanted.Key, wanted.Pyramid, wanted.Band, bounds);
+    BandBuilder::FindBounds(wanted.Source, wanted.Band, bounds);
     return bounds;
   }
 
-  /// What all groups take, by those that were seen.
+  /// Estimated bytes of all groups, from the groups seen.
   /// \param doubt standard errors that are added to the mean
   double MemoryOfAll(double doubt) const
   {
@@ -155,8 +154,8 @@ private:
     return sum + std::max(most, 0.0) * (static_cast<double>(this->Bytes.size()) - count);
   }
 
-  /// Call build(group) for groups that are not as far as `wanted`, until it is true or patience
-  /// ends. Numbers of groups are those of the order.
+  /// Call build(group) for groups below state `wanted`, until a call returns true or patience ends.
+  /// `first` and `end` are places in Order.
   template <typename BuildGroup>
   void ForGroups(
     std::size_t first, std::size_t end, State wanted, double patience, const BuildGroup& build)
@@ -176,8 +175,8 @@ private:
       });
   }
 
-  /// Build a group. Keep its band if all of them fit into the room. Exceptions do not leave the
-  /// thread.
+  /// Build a group, and keep its band if all kept bands fit into the room. Sets HasFailed if memory
+  /// runs out: exceptions must not leave the thread.
   void Build(std::size_t group, std::size_t room)
   {
     try
@@ -207,24 +206,24 @@ private:
   std::vector<State> States;      ///< of the groups
   std::vector<std::size_t> Bytes; ///< of their bands, as far as they were seen
   std::vector<std::size_t> Order; ///< of groups, spread over the picture
-  bool AreInSquares = false;      ///< they are, in that order
+  bool AreInSquares = false;      ///< Order goes by squares of groups
   glm::ivec2 Size;                ///< of the picture
   std::uint64_t Frame;
 };
 
-/// The bands of a map that make room for new ones.
+/// The memory for new bands, and the old bands of a map that make room.
 class Room
 {
 public:
   Room(const RangeBuild& wanted, Isomap& map)
     : Wanted(wanted.Band)
-    , Fixed(Isomap::FixedMemory(wanted.Key))
+    , Fixed(Isomap::FixedMemory(wanted.Source.Key))
     , Limit(wanted.MemoryLimit > this->Fixed ? wanted.MemoryLimit - this->Fixed : 0)
     , Map(map)
   {
   }
 
-  /// What new bands may take in all, and what they may take now.
+  /// Bytes that new bands may take in all, and bytes that are free now.
   std::size_t AtMost() const { return this->Limit; }
   std::size_t Now() const
   {
@@ -232,9 +231,9 @@ public:
     return this->Limit > taken ? this->Limit - taken : 0;
   }
 
-  /// Drop bands until so much is free: first those that the new one contains, then the least
-  /// recently used ones.
-  /// \return true if any of the others was dropped
+  /// Drop bands until `bytes` are free: first bands that the new one contains, then the least
+  /// recently used bands.
+  /// \return true if a band was dropped that the new one does not contain
   /// \throws std::bad_alloc
   bool Make(std::size_t bytes)
   {
@@ -258,8 +257,8 @@ private:
   Isomap& Map;
 };
 
-/// Build some groups, which tell whether the whole may fit, before other bands make room.
-/// \return Built, or how it ended
+/// Build sample groups before other bands make room: they show whether the range may fit.
+/// \return Built, or the reason to end
 Isomap::Outcome TrySome(Work& work, const Room& room, const ReportProgress& report, double patience)
 {
   for (bool isTried = false; !isTried;)

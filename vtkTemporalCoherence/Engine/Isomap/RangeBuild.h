@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_RangeBuild_h
 #define TemporalCoherence_RangeBuild_h
 
-#include "Acceleration/ValueRangePyramid.h"
+#include "Isomap/BandBuilder.h"
 #include "Isomap/Isomap.h"
 #include "Scene/Progress.h"
 
@@ -13,11 +13,10 @@
 namespace TemporalCoherence
 {
 
-/// A band of isovalues that somebody asks for, to be built for the whole picture at once.
+/// A requested band of isovalues, to be built for the whole picture at once.
 struct RangeBuild
 {
-  const FrameKey& Key;
-  const ValueRangePyramid& Pyramid; ///< of the key's field
+  BandSource Source;
   ValueBand Band;
   std::size_t MemoryLimit; ///< of all bands together, in bytes
   std::uint64_t Frame;     ///< number of the frame that needs it
@@ -25,13 +24,13 @@ struct RangeBuild
 };
 
 /// Build a band for every group of an isomap. Bands that it contains are dropped, and the least
-/// recently used ones if the memory limit requires it. What is built and what is still there keep
-/// within the limit together, up to a group for each thread.
+/// recently used ones if the memory limit requires it. Old and new bands together stay within the
+/// limit, up to one group's band for each thread.
 /// \param isDropped set if a band was dropped for want of memory
 /// \param cellsRead is increased
 /// \return Built, or Stopped or TooLarge, which leave nothing of the band. Other bands may have
-///         made room for it, but only if a part of it told that it probably fits.
-/// \throws std::bad_alloc; the same holds
+///         made room for it, but only if sample groups showed that it probably fits.
+/// \throws std::bad_alloc; this leaves nothing of the band, either
 Isomap::Outcome BuildRange(const RangeBuild& wanted, Isomap& map, const ReportProgress& report,
   bool& isDropped, std::int64_t& cellsRead);
 

@@ -20,8 +20,8 @@ namespace TemporalCoherence
 {
 
 /// Rows of values for each ray of a tile. They are stored column by column in one block of memory,
-/// so that a search reads contiguous values. Where the rows of each ray begin takes 16 bits, and 32
-/// in a table of more rows than these can count. An empty table takes no memory.
+/// so that a search reads contiguous values. The begin of each ray's rows takes 16 bits, or 32 bits
+/// in a table with more rows than 16 bits count. An empty table takes no memory.
 /// \tparam Columns trivial types of at most 4 bytes, by descending alignment
 template <typename... Columns>
 class RayTable
@@ -32,14 +32,14 @@ public:
 
   static constexpr std::size_t BytesPerRow = (sizeof(Columns) + ...);
 
-  /// A row and the ray of the batch that it belongs to.
+  /// A row, with its ray's number in the batch.
   struct Row
   {
     std::uint8_t Ray;
     std::tuple<Columns...> Values;
   };
 
-  /// Set the rows. The order of the rows of a ray is preserved.
+  /// Set the rows. Each ray's rows keep their order.
   /// \throws std::bad_alloc
   void Assign(const std::vector<Row>& rows)
   {
@@ -57,7 +57,7 @@ public:
     {
       begins[ray + 1] += begins[ray];
     }
-    // Not filled with zeros first, as make_unique would.
+    // Avoids the zero fill of make_unique.
     this->Bytes.reset(new std::byte[SizeFor(rows.size())]);
     this->Head().Rows = static_cast<std::uint32_t>(rows.size());
     if (IsWide(rows.size()))
@@ -77,7 +77,7 @@ public:
 
   bool IsEmpty() const { return !this->Bytes; }
 
-  /// Have memory bring the table, as far as it is not very long.
+  /// Prefetch the table; only the first part of a long one.
   void Prefetch() const
   {
     constexpr std::size_t line = 64, most = 64 * line;
@@ -95,7 +95,7 @@ public:
                                      : this->template Begins<std::uint16_t>()[ray];
   }
 
-  /// Where the rows of each ray begin, in a table of so few rows that 16 bits tell; else null.
+  /// The begins of all rays' rows in 16 bits; null if the table uses 32 bits.
   /// \pre the table is not empty
   const std::uint16_t* NarrowBegins() const
   {
@@ -117,7 +117,7 @@ private:
   template <typename Offset>
   using Offsets = std::array<Offset, RayBatch::Capacity + 1>;
 
-  /// What a table begins with; offsets follow.
+  /// The head of a table; the begins of rows follow.
   struct Header
   {
     std::uint32_t Rows;
@@ -150,7 +150,7 @@ private:
     return *reinterpret_cast<const Offsets<Offset>*>(this->Bytes.get() + sizeof(Header));
   }
 
-  /// Where a column begins.
+  /// Byte offset of a column.
   template <std::size_t Column>
   std::size_t At() const
   {

@@ -3,9 +3,9 @@
 #ifndef TemporalCoherence_SegmentRanges_h
 #define TemporalCoherence_SegmentRanges_h
 
-#include "Trace/CellRoot.h"
-#include "Trace/KernelsRange.h"
-#include "Trace/SegmentBatch.h"
+#include "Lattice/CellRoot.h"
+#include "Lattice/KernelsRange.h"
+#include "Lattice/SegmentBatch.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 namespace TemporalCoherence
 {
 
-/// What is known of segments, as arrays over them: where they begin and end, and the field there.
+/// Entry, exit and field of segments, as arrays over segments.
 template <typename Real>
 struct RangesView
 {

@@ -9,6 +9,14 @@
 namespace TemporalCoherence
 {
 
+namespace
+{
+
+/// Rows of tiles in a square of groups. Its groups share the active cells computed in leaves.
+constexpr std::int64_t RowsOfSquare = 8;
+
+}
+
 std::size_t StrideOfGroups(std::size_t groups)
 {
   std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<double>(groups)) | 1u;
@@ -19,7 +27,7 @@ std::size_t StrideOfGroups(std::size_t groups)
   return stride;
 }
 
-std::vector<std::size_t> OrderOfGroups(const glm::ivec2& pixels, std::int64_t rows)
+std::vector<std::size_t> OrderOfGroups(const glm::ivec2& pixels)
 {
   // Sort by squares, which need not be whole at the borders of the picture.
   using Place = std::array<std::int64_t, 4>;
@@ -29,7 +37,8 @@ std::vector<std::size_t> OrderOfGroups(const glm::ivec2& pixels, std::int64_t ro
   {
     const std::int64_t tile = TilesOfGroup(pixels, group).First;
     const std::int64_t row = tile / columns, column = tile % columns;
-    places[group] = { row / rows, column / TileGrain, row, static_cast<std::int64_t>(group) };
+    places[group] = { row / RowsOfSquare, column / TileGrain, row,
+      static_cast<std::int64_t>(group) };
   }
   std::sort(places.begin(), places.end());
   std::vector<std::size_t> first;

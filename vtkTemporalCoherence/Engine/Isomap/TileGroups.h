@@ -14,7 +14,7 @@ namespace TemporalCoherence
 {
 
 /// Isomaps are built by groups of TileGrain neighbouring tiles: few enough that a frame can build
-/// what it has time for, and many enough that reading the clock after each costs nothing.
+/// a share of them, and many enough that their bookkeeping costs nothing.
 struct TileRange
 {
   std::int64_t First, End;
@@ -34,16 +34,10 @@ inline TileRange TilesOfGroup(const glm::ivec2& pixels, std::size_t group)
 /// A step from group to group that visits all of `groups`, spread over the picture.
 std::size_t StrideOfGroups(std::size_t groups);
 
-/// Groups are built in squares of so many rows of tiles, which share what is found out about
-/// leaves.
-constexpr std::int64_t RowsOfSquare = 8;
-
 /// An order of all groups of a picture: squares of neighbours, one after the other, spread over the
-/// picture. What the rays of a group find out about the cells of a band serves its neighbours in
-/// the same frame.
-/// \param rows of tiles in a square
+/// picture. Active cells that the rays of a group compute serve its neighbours in the same frame.
 /// \throws std::bad_alloc
-std::vector<std::size_t> OrderOfGroups(const glm::ivec2& pixels, std::int64_t rows);
+std::vector<std::size_t> OrderOfGroups(const glm::ivec2& pixels);
 
 }
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/BlendTracer.h"
-#include "Projections/MetValues.h"
+#include "Kinds/FieldKind.h"
+#include "Lattice/RayPieces.h"
 #include "Render/RouteSteps.h"
 #include "Render/Routes.h"
-#include "Sampling/ComponentLooks.h"
 #include "Shade/Shader.h"
-#include "Trace/RayPieces.h"
+#include "Volumes/Projections/MetValues.h"
+#include "Volumes/Samples/ComponentLooks.h"
 
 #include <algorithm>
 #include <array>
@@ -26,8 +26,8 @@ std::uint8_t ByteOf(double share)
   return static_cast<std::uint8_t>(255.0 * std::clamp(share, 0.0, 1.0) + 0.5);
 }
 
-/// True if the gradient where something is seen first tells how it lies: that of a composite volume
-/// whose components are seen together. An extreme has none.
+/// True if the gradient at the first visible place is a normal: in composite volumes with a single
+/// look. Extremes have no normal.
 bool HasNormals(const Blending& volume)
 {
   return volume.Mode == BlendMode::Composite && ComponentLooks(volume).Parts() == 1;
@@ -40,12 +40,12 @@ const Field& FieldOfNormals(const FrameKey& key)
   return component == 0 ? key.Samples : key.Volume.Others[component - 1];
 }
 
-/// Blends what the rays of tiles see, and writes the planes of the frame.
+/// Blends the rays of tiles, and writes the planes of the frame.
 class TileBlender
 {
 public:
-  /// \param last a frame whose rays have met the same values; null: nothing is known
-  /// \throws NoBlendTracer, std::bad_alloc
+  /// \param last a frame whose rays met the same values; null: no values are known
+  /// \throws std::bad_alloc
   TileBlender(const FrameTask& task, const LeapedSpace& space, const Frame* last = nullptr)
     : Key(task.Key)
     , Space(space)
@@ -53,18 +53,16 @@ public:
     , IsAllKnown(last && KnowsAllExtremes(last->MetWithin, Key.Volume))
     , Rays(Key.View, Key.Transform, Key.Samples.Dimensions, Key.Region)
     , Tracer(Key.Samples.HasCells()
-          ? BlendTracer::Make({ Key, space.Active, &task.Structures.Pyramid() })
+          ? MakeBlendTracer({ Key, space.Active, &task.Structures.Pyramid() })
           : nullptr)
   {
-    if (!this->Tracer && Key.Samples.HasCells())
-    {
-      throw NoBlendTracer();
-    }
     if (this->Tracer && HasNormals(Key.Volume))
     {
-      // Gradients are differences from any value.
+      // Any isovalue serves: gradients do not depend on it.
       const glm::dvec2& range = task.Structures.Pyramid().FiniteRange();
-      this->Gradients = NormalSource{ FieldOfNormals(Key), Key.Transform, {}, { range.x }, range };
+      const Field& field = FieldOfNormals(Key);
+      this->Gradients.emplace(
+        NormalSource{ field, KindOf(field), Key.Transform, {}, { range.x }, range });
     }
   }
 
@@ -109,7 +107,7 @@ public:
   }
 
 private:
-  /// True if nothing can be seen in a tile. A sum of nothing is black.
+  /// True if a tile shows nothing. An empty sum does not count: it shows black.
   bool IsEmpty(std::int64_t tile) const
   {
     return this->Key.Volume.Mode != BlendMode::Additive &&
@@ -117,7 +115,7 @@ private:
         (this->Space.Active && this->Space.Bounds->At(tile).IsEmpty()));
   }
 
-  /// Rays end at opaque things.
+  /// End rays at opaque props.
   void EndWhereHidden(RayBatch& rays) const
   {
     if (const auto& ends = this->Key.Volume.Ends)
@@ -131,7 +129,7 @@ private:
     }
   }
 
-  /// Trace all rays but those that are known, one bit each.
+  /// Trace all rays except the known ones, one bit each.
   void Trace(const RayBatch& rays, std::uint64_t known, const WorldDirections& world,
     BlendedRays& seen) const
   {
@@ -192,7 +190,7 @@ private:
       const bool isSeen = color[0] + color[1] + color[2] + color[3] != 0;
       if (isSeen)
       {
-        // What no place of a ray shows alone lies where the ray begins.
+        // If no single place on a ray is visible, the depth is the beginning of the ray.
         hits.Depth[i] = std::isfinite(seen.First[i]) ? seen.First[i] : rays.Begin[i];
         hits.Surface[i] = 0;
         hits.Kind[i] = HitKind::Entry;
@@ -215,20 +213,19 @@ private:
   const FrameKey& Key;
   LeapedSpace Space;
   const Frame* Last;
-  bool IsAllKnown; ///< of what is seen, without a search
+  bool IsAllKnown; ///< every visible value, without a search
   RaySource Rays;
   std::shared_ptr<const BlendTracer> Tracer;
   std::optional<NormalSource> Gradients; ///< none: normals are 0
 };
 
 /// Make room for the frame, and find out where its rays can see anything.
-/// \param searches false: they are not searched
+/// \param searches false: no ray is searched
 LeapedSpace BeginBlending(FrameTask& task, bool searches)
 {
   Stopwatch watch(task.Statistics.TraceTime);
   const bool leaps =
     searches && task.Options.SpaceLeaping && task.Structures.PrepareVisibleCells(task.Key);
-  task.Costs = nullptr; // there are no isomaps
   FrameExtras extras;
   extras.Met = task.Options.Reuse.ImageCache ? NumbersMet(task.Key.Volume) : 0;
   task.Store.Begin(task.Key, extras);

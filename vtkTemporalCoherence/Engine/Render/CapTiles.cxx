@@ -15,8 +15,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Voxels by which a point may be off: where rays begin at the largest distance that is drawn,
-/// rounding moves it by less than a tenth of that.
+/// Largest error of a point, in voxels: at the largest distance that is drawn, rounding moves the
+/// begin of a ray by less than a tenth of it.
 constexpr double Slack = 1.0;
 
 /// Where in the field rays may begin.
@@ -114,7 +114,7 @@ class CapFinder
 {
 public:
   CapFinder(const FrameKey& key, const RaySource& rays, const ValueRangePyramid& ranges)
-    : Kind(*key.Samples.Kind)
+    : Shape(*key.Samples.Shape)
     , Cells(key.Samples.Dimensions - 1)
     , Lowest(*std::min_element(key.Isosurfaces.Isovalues.begin(), key.Isosurfaces.Isovalues.end()))
     , Begins(rays)
@@ -164,7 +164,7 @@ private:
     }
     if (glm::all(glm::lessThan(low, high)))
     {
-      // A point may be taken for one in the next cell.
+      // Rounding may move a point into the next cell.
       low = glm::max(low - 1, glm::ivec3(0));
       high = glm::min(high + 1, this->Cells);
       found.push_back({ low, high - low });
@@ -174,7 +174,7 @@ private:
   bool AreIn(const glm::ivec3& first, int size) const
   {
     return this->Begins.AreIn(
-      this->Kind.BoxOf({ first, glm::min(glm::ivec3(size), this->Cells - first) }));
+      this->Shape.BoxOf({ first, glm::min(glm::ivec3(size), this->Cells - first) }));
   }
 
   bool MayBeInside(const ValueRangePyramid::Range<T>& range) const
@@ -182,7 +182,7 @@ private:
     return static_cast<double>(range.Max) >= this->Lowest;
   }
 
-  const FieldKind& Kind;
+  const FieldShape& Shape;
   glm::ivec3 Cells;
   double Lowest; ///< isovalue
   RayBegins Begins;
@@ -196,7 +196,7 @@ std::vector<std::uint8_t> FindCapTiles(
 {
   const std::vector<CellBox> blocks = DispatchScalarType(key.Samples.Type,
     [&](auto type) { return CapFinder<decltype(type)>(key, rays, ranges).Find(); });
-  return FindTiles(key.View, key.Transform, blocks, *key.Samples.Kind);
+  return FindTiles(key.View, key.Transform, blocks, *key.Samples.Shape);
 }
 
 }

@@ -4,8 +4,8 @@
 #define TemporalCoherence_CapTiles_h
 
 #include "Acceleration/ValueRangePyramid.h"
+#include "Lattice/RaySource.h"
 #include "Scene/FrameKey.h"
-#include "Trace/RaySource.h"
 
 #include <cstdint>
 #include <vector>
@@ -15,9 +15,9 @@ namespace TemporalCoherence
 
 /// 1 for each tile in which a ray may begin in a solid, so that it is capped there, else 0.
 ///
-/// Rays begin at faces of the field's box, at the near plane, and at planes that clip or crop. What
-/// lies there is only in a solid if its leaf has a sample that is not below the lowest isovalue.
-/// Such leaves are projected. Caps behind hidden cells are no matter here: these cells are active.
+/// Rays begin at faces of the field's box, at the near plane, and at planes that clip or crop. A
+/// solid can only be there if the leaf's largest sample reaches the lowest isovalue. Such leaves
+/// are projected. Caps behind hidden cells need no search: these cells are active.
 /// \param rays   of the frame
 /// \param ranges of its field
 /// \pre key.Samples.HasCells(), and there are isovalues

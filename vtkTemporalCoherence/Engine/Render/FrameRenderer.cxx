@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/FrameRenderer.h"
 
+#include "Kinds/FieldKind.h"
 #include "Render/Routes.h"
 #include "Scene/Timers.h"
 
@@ -32,10 +33,9 @@ bool FrameRenderer::Render(
       this->Map.Trim(options.Map.MemoryLimit);
       key = this->Prepare(asked);
     }
-    FrameTask task{ key, options, this->Store, this->Structures, statistics, report,
-      &this->Map.Drag().Costs };
+    FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
 
-    // Choose by what changed and by what is available.
+    // The changes and the available data determine the route.
     const std::shared_ptr<CachedImage> nearest = this->Store.FindNearest(key, options);
     Route route = this->ChooseRoute(key, options, nearest != nullptr);
 
@@ -52,7 +52,7 @@ bool FrameRenderer::Render(
   return true;
 }
 
-/// Take a route. If it turns out to be impossible, take another one and set `route` to it.
+/// Take a route. If the route proves impossible, take the next best and update `route`.
 bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
 {
   const ReportProgress report = task.Report;
@@ -124,12 +124,12 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   return PlanRoute(last.Key, key, switches, held);
 }
 
-/// Build the range that the user asks for, if there is one; then look the frame up, building bands
-/// where they are missing. If that is impossible, take the next best route.
+/// Build the user's range of isovalues, if any. Then look the frame up, and build missing bands. If
+/// the isomap proves impossible, take the next best route.
 bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
 {
   const ReportProgress report = task.Report;
-  double done = 0.0; // nothing is done as long as no range is built
+  double done = 0.0; // stays 0 if no range is built
   if (report)
   {
     task.Report = [&](double progress)
@@ -153,7 +153,7 @@ bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
   }
 }
 
-/// Make a frame from the isomap. Its route is IsomapBuild if some of it had to be built.
+/// Make a frame from the isomap. The route is IsomapBuild if some tiles lacked bands.
 bool FrameRenderer::LookUpAll(Route& route, FrameTask& task)
 {
   bool isBuilding = route == Route::IsomapBuild;
@@ -168,8 +168,8 @@ Isomap::Outcome FrameRenderer::PrepareIsomap(FrameTask& task)
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   try
   {
-    outcome =
-      this->Map.Prepare(task.Key, task.Options.Map, this->Structures.Pyramid(), task.Report);
+    outcome = this->Map.Prepare(
+      { task.Key, this->Structures.Pyramid(), MakeBandTracer }, task.Options.Map, task.Report);
     task.Statistics.FieldSamples += 8 * this->Map.CellsRead();
   }
   catch (const std::bad_alloc&)
@@ -194,7 +194,8 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
     const FrameKey whole = this->Prepare(key);
     try
     {
-      outcome = this->Map.BuildAhead(whole, options.Map, this->Structures.Pyramid(), report);
+      outcome = this->Map.BuildAhead(
+        { whole, this->Structures.Pyramid(), MakeBandTracer }, options.Map, report);
     }
     catch (const std::bad_alloc&)
     {
@@ -214,7 +215,7 @@ FrameKey FrameRenderer::Prepare(const FrameKey& key)
   return FrameStructures::WithHidden(key, this->Structures.Ranges());
 }
 
-/// Find out what changed if the samples are not those of the last frame.
+/// Compare the samples with the last frame's, and find the tiles that changes affect.
 void FrameRenderer::FollowSamples(const FrameKey& key)
 {
   const FrameKey& last = this->Store.Last().Key;
@@ -222,7 +223,7 @@ void FrameRenderer::FollowSamples(const FrameKey& key)
     this->Changes.Compare(last.Samples, key.Samples, this->Structures.SharedByAll());
   if (result == SampleComparer::Result::Equal)
   {
-    // Their old memory must not be read any more.
+    // From now on, the old memory of these samples must not be read.
     const Field before = last.Samples;
     Field now = key.Samples;
     now.Hidden = before.Hidden;

@@ -22,7 +22,7 @@ namespace TemporalCoherence
 
 struct FrameTask;
 
-/// Makes frames: asks the plan for a route, takes it, and keeps what the next frame can use.
+/// Makes frames: asks the plan for a route, takes it, and keeps data that the next frame can use.
 class FrameRenderer
 {
 public:
@@ -40,7 +40,7 @@ public:
   /// \param report is called in this thread with the progress from 0 to 1, and may stop the frame.
   ///               While an isomap is built, progress may go back.
   /// \return false if it was stopped; the last frame and its key are then unchanged
-  /// \throws std::bad_alloc; the same holds
+  /// \throws std::bad_alloc; the last frame and its key are then unchanged
   bool Render(const FrameKey& key, const Options& options, const ReportProgress& report = {});
 
   /// Build the bands of an isomap that `key` needs, ahead of its frame. The last frame is
@@ -59,13 +59,13 @@ public:
   /// \throws std::bad_alloc
   const FieldRanges& RangesOf(const FrameKey& key);
 
-  /// The value ranges used for the last frame. Undefined if it has no cells or no isovalues.
+  /// The value ranges of the last frame. Undefined for a frame without cells or isovalues.
   const ValueRangePyramid& LastRanges() const { return this->Structures.Pyramid(); }
 
   /// The isomap of the view in which isovalues last changed.
   const Isomap& IsomapOfLastView() const { return this->Map.Built(); }
 
-  /// Seconds spent on building it: in the last frame or, after that, ahead of the next one.
+  /// Seconds of building that isomap, in the last frame or in a call of BuildIsomap() after it.
   double IsomapBuildTime() const { return this->TimeToBuild; }
 
   /// True if the memory limit does not suffice for the isomap that was needed last.

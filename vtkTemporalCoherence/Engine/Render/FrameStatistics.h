@@ -22,9 +22,9 @@ struct FrameStatistics
   std::int64_t TracedRays = 0;
   std::int64_t FieldSamples = 0;  ///< samples read to find surfaces and to build an isomap
   std::int64_t Layers = 0;        ///< surfaces that were composited, if some are translucent
-  std::int64_t MergedLayers = 0;  ///< of these, those that share what is kept with one before them
-  std::int64_t TilesLookedUp = 0; ///< in bands of an isomap that were there before
-  std::int64_t TilesBuilt = 0;    ///< looked up in bands that were built for this frame
+  std::int64_t MergedLayers = 0;  ///< of these, layers that were merged into one in front
+  std::int64_t TilesLookedUp = 0; ///< in existing bands of an isomap
+  std::int64_t TilesBuilt = 0;    ///< looked up in bands built for this frame
   std::int64_t TilesTraced = 0;   ///< on the routes of an isomap
   double FrameTime = 0.0;         ///< seconds in total
   double TraceTime = 0.0;         ///< of these, structures and rays
@@ -33,7 +33,7 @@ struct FrameStatistics
   double ShadeTime = 0.0;         ///< of these, normals and colours
 
   /// Add the counts of tiles that took `seconds`. Threads build, query, trace and shade tile by
-  /// tile, so the time is divided by the shares that were measured in some tiles.
+  /// tile, so the time is split by the shares measured in some tiles.
   void Add(const TraceCounts& counts, double seconds)
   {
     this->DefiniteHits += counts.DefiniteHits;

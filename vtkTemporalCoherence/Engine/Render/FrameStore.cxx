@@ -12,14 +12,8 @@ std::shared_ptr<CachedImage> FrameStore::FindNearest(
   const FrameKey& key, const FrameOptions& options) const
 {
   return this->Images.Find(key, options.Images,
-    [&](const CachedImage& image)
-    {
-      const bool isBounded = options.Accuracy == ReuseAccuracy::Bounded;
-      const Frame& picture = image.Picture;
-      const bool isKept = isBounded ? !picture.FirstEntries.empty() && IsFasterFrom(image.Key, key)
-                                    : !picture.Disparities.empty();
-      return isKept && ImageQuery::CanAsk(image.Key, options.Accuracy);
-    });
+    [](const CachedImage& image)
+    { return !image.Picture.Disparities.empty() && ImageQuery::CanAsk(image.Key); });
 }
 
 void FrameStore::Begin(const FrameKey& key, const FrameExtras& extras)
@@ -46,7 +40,6 @@ void FrameStore::Begin(const FrameKey& key, const FrameExtras& extras)
 
 void FrameStore::Finish(const ImageCache::Options& options)
 {
-  this->Back->Free.Clear();
   if (!MeetSameLayers(this->Front->Key, this->Back->Key))
   {
     for (LayersBehind& tile : this->Front->Picture.Behind)

@@ -19,7 +19,7 @@ public:
   /// The last frame, and the key it was made for. The frame is empty before the first one.
   const CachedImage& Last() const { return *this->Front; }
 
-  /// The same, to change its colours.
+  /// The last frame, for new colours in place.
   CachedImage& LastToRecolor() { return *this->Front; }
 
   /// The frame being made.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/FrameStructures.h"
 
-#include "Sampling/VisibleComponents.h"
+#include "Volumes/Samples/VisibleComponents.h"
 
 #include <optional>
 #include <vector>
@@ -12,7 +12,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// True if anything of the field may be seen.
+/// True if a key may show anything of its field.
 bool IsSeen(const FrameKey& key)
 {
   return key.Samples.HasCells() && (key.Volume.IsOn() || !key.Isosurfaces.Isovalues.empty());
@@ -69,7 +69,7 @@ bool FrameStructures::PrepareVisibleCells(const FrameKey& key)
   return true;
 }
 
-/// The values that are seen of the samples of a key, and of its other components.
+/// The visible values of a key's first component, and of other components that show anything.
 std::vector<VisibleValues> FrameStructures::VisibleValuesOf(
   const FrameKey& key, const std::vector<std::vector<ValueBand>>& bands)
 {
@@ -90,7 +90,7 @@ std::vector<VisibleValues> FrameStructures::VisibleValuesOf(
   return values;
 }
 
-/// Find the bounds of tiles, unless they are those of these cells.
+/// Build the tile bounds, unless they belong to these cells and this view already.
 void FrameStructures::PrepareBounds(const FrameKey& key, const ActiveCells& cells)
 {
   const bool areBound = this->BoundCells == &cells && this->BoundView == key.View &&
@@ -98,7 +98,7 @@ void FrameStructures::PrepareBounds(const FrameKey& key, const ActiveCells& cell
   if (!areBound)
   {
     this->BoundCells = nullptr;
-    this->Bounds.Build(key.View, key.Transform, cells, *key.Samples.Kind);
+    this->Bounds.Build(key.View, key.Transform, cells, *key.Samples.Shape);
     this->BoundView = key.View;
     this->BoundTransform = key.Transform;
     this->BoundCells = &cells;

@@ -6,7 +6,6 @@
 #include "Acceleration/FieldStructures.h"
 #include "Acceleration/TileBounds.h"
 #include "Scene/FrameKey.h"
-#include "Shade/TileCompositor.h"
 
 #include <memory>
 #include <utility>
@@ -15,8 +14,9 @@
 namespace TemporalCoherence
 {
 
-/// The structures that bound where surfaces can be. Each is kept as long as it is valid: value
-/// ranges for the data, active cells for data and isovalues, tile bounds for a frame.
+/// The structures that bound where surfaces can be. Each is rebuilt only when its input changes:
+/// value ranges with the data, active cells with data and isovalues, tile bounds with cells and
+/// view.
 class FrameStructures
 {
 public:
@@ -26,8 +26,8 @@ public:
   {
   }
 
-  /// True if a key needs value ranges that are not here. Without cells or isovalues none are
-  /// needed.
+  /// True if a key needs value ranges that are not prepared. Without cells or isovalues it needs
+  /// none.
   bool NeedsRanges(const FrameKey& key) const;
 
   /// Prepare the value ranges of a key's samples, if they are needed.
@@ -39,8 +39,8 @@ public:
   /// \throws std::bad_alloc
   void PrepareActiveCells(const FrameKey& key);
 
-  /// The same for the cells in which the volume of a key can be seen.
-  /// \return false if every cell may be
+  /// Prepare the cells in which the volume of a key can be seen, and their tile bounds.
+  /// \return false if every cell may be visible; nothing is prepared then
   bool PrepareVisibleCells(const FrameKey& key);
 
   const FieldRanges& Ranges() const { return *this->OfData; }
@@ -52,18 +52,18 @@ public:
     return { leaps ? this->OfSurfaces->Active.get() : nullptr, &this->Bounds };
   }
 
-  /// The same for visible cells.
+  /// The prepared visible cells and bounds for space leaping; empty if leaping is off.
   LeapedSpace VisibleSpace(bool leaps) const
   {
     return { leaps ? this->OfVolume->Active.get() : nullptr, &this->Bounds };
   }
 
-  /// The value ranges of a key's samples, which need not be those prepared here.
+  /// The value ranges of a key's samples: the prepared ranges or, for other samples, new ones.
   /// \throws std::bad_alloc
   std::shared_ptr<const FieldRanges> RangesOf(const FrameKey& key) const;
 
   /// The key with the hidden cells of its samples.
-  /// \param ranges those of its samples, if it needs any
+  /// \param ranges of its samples, if it needs any
   static FrameKey WithHidden(const FrameKey& key, const FieldRanges& ranges);
 
   /// Reassign structures of the field `before` to `now`, whose samples are equal but lie elsewhere.
@@ -83,8 +83,8 @@ private:
   std::vector<std::shared_ptr<const FieldRanges>> OfOthers; ///< Blending::Others
   std::shared_ptr<const VisibleCells> OfVolume = std::make_shared<const VisibleCells>();
   TileBounds Bounds;
-  // What the bounds are of:
-  const ActiveCells* BoundCells = nullptr; ///< null: of nothing; else those of one of the above
+  // The input of Bounds:
+  const ActiveCells* BoundCells = nullptr; ///< of OfSurfaces or OfVolume; null: Bounds are invalid
   View BoundView;
   IndexTransform BoundTransform;
 };

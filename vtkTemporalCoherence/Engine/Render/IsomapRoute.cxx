@@ -3,8 +3,6 @@
 #include "Isomap/IsomapLookup.h"
 #include "Render/RouteSteps.h"
 
-#include <vtkSMPTools.h>
-
 #include <algorithm>
 #include <bitset>
 #include <numeric>
@@ -18,12 +16,12 @@ namespace
 /// Fewer rays than this are traced without space leaping: that is faster than finding active cells
 /// first. Measured by the look-ups of `Benchmark --scenarios routes`.
 constexpr std::int64_t FewRays = 256;
-constexpr std::int64_t FewRaysInMesh = 64; ///< the same where a tile looks at all of its leaves
+constexpr std::int64_t FewRaysInMesh = 64; ///< where a tile looks at all of its leaves
 
 /// Trace the rays that an isomap leaves unresolved, one bit each, tile by tile, and shade these
 /// tiles.
-/// \param leaps the active cells of the frame are prepared
-/// \param limit takes these tiles
+/// \param leaps active cells are prepared
+/// \param limit counts the layers of these tiles
 bool TraceUnresolvedRays(FrameTask& task, const std::vector<std::uint64_t>& unresolved, bool leaps,
   const TileShader& shader, const ReportProgress& report, LayerLimit& limit)
 {
@@ -34,7 +32,7 @@ bool TraceUnresolvedRays(FrameTask& task, const std::vector<std::uint64_t>& unre
   {
     return true;
   }
-  const std::int64_t few = task.Key.Samples.Kind->Abilities().IsMesh ? FewRaysInMesh : FewRays;
+  const std::int64_t few = task.Key.Samples.Shape->Abilities().IsMesh ? FewRaysInMesh : FewRays;
   if (!leaps && task.Options.SpaceLeaping && rays > few)
   {
     task.Structures.PrepareActiveCells(task.Key);
@@ -66,22 +64,27 @@ public:
     , Bands(bands)
     , Unresolved(unresolved)
     , Limit(limit)
-    , Lookup(task.Key, map, task.Structures.Pyramid().FiniteRange())
+    , Lookup(task.Key, map, task.Structures.Pyramid().FiniteRange(),
+        MakeSurfaceTracer({ task.Key.Samples, task.Key.Isosurfaces,
+          task.Structures.Pyramid().FiniteRange(), nullptr }))
     , Tracer(SceneOf(task, space, nullptr))
-    , Shader(task.Key, task.Structures.Pyramid().FiniteRange(), space,
-        map.Form().HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All)
-    , ShaderOfTraced(
-        task.Key, task.Structures.Pyramid().FiniteRange(), space, HitSet::All, HitSet::All)
+    , Shader(ShadeSceneOf(task, space), map.Form().HasNormals ? HitSet::NotDefinite : HitSet::All,
+        HitSet::All)
+    , ShaderOfTraced(ShadeSceneOf(task, space), HitSet::All, HitSet::All)
   {
   }
 
   bool MakeAll(const ReportProgress& report)
   {
     const glm::ivec2& size = this->Task.Key.View.Size;
-    return CountGroups(
-      size, report, this->Task.Statistics,
-      [&](std::size_t group, TraceCounts& ofGroup) { this->Make(group, ofGroup); },
-      [&](std::size_t group, std::int64_t cost) { this->Bands.Done(group, cost); });
+    return CountGroups(size, report, this->Task.Statistics,
+      [&](std::size_t group, TraceCounts& sum)
+      {
+        TraceCounts ofGroup;
+        this->Make(group, ofGroup);
+        this->Bands.Done(group, ofGroup.CellsRead);
+        sum += ofGroup;
+      });
   }
 
   const TileShader& ShaderOfLookUps() const { return this->Shader; }
@@ -119,13 +122,6 @@ private:
   TileShader Shader, ShaderOfTraced;
 };
 
-/// Nanoseconds of all threads: what one thread does alone keeps the others waiting.
-double ThreadTime()
-{
-  return static_cast<double>(TileTimer::Now()) *
-    static_cast<double>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
-}
-
 /// Prepare the building of bands.
 void MakeBuilders(FrameTask& task, FrameBands& bands)
 {
@@ -136,7 +132,7 @@ void MakeBuilders(FrameTask& task, FrameBands& bands)
   double seconds = 0.0;
   {
     Stopwatch watch(seconds);
-    bands.MakeBuilders(ThreadTime);
+    bands.MakeBuilders();
   }
   task.Statistics.IsomapBuildTime += seconds;
 }
@@ -159,17 +155,14 @@ void CountTiles(const FrameBands& bands, const glm::ivec2& size, FrameStatistics
 bool LookUp(
   FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved, bool& isBuilding)
 {
-  // If all is looked up, a walk is only needed for layers behind translucent surfaces.
+  // If every tile has bands, rays only walk behind translucent surfaces.
   const bool isCovered = map.Built().Covers(task.Key.Isosurfaces.Isovalues);
   isBuilding |= !isCovered;
   const bool leaps =
     task.Options.SpaceLeaping && (task.Key.Isosurfaces.IsTranslucent() || !isCovered);
-  task.Costs = nullptr; // the bands keep them
-  const double begin = ThreadTime();
-  // A look-up finds no first entries.
-  const LeapedSpace space = Begin(task, leaps, ExtrasWithoutEntries(task));
-  FrameBands bands({ task.Key, task.Options.Map, task.Store.Last().Key.Isosurfaces.Isovalues,
-                     task.Structures.Pyramid(), ThreadTime() - begin },
+  const LeapedSpace space = Begin(task, leaps, ExtrasOf(task));
+  const BandSource source{ task.Key, task.Structures.Pyramid(), MakeBandTracer };
+  FrameBands bands({ source, task.Options.Map, task.Store.Last().Key.Isosurfaces.Isovalues },
     map.ToBuild(), map.Drag());
   MakeBuilders(task, bands);
   unresolved.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size)));

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/LayerLimit.h"
 
-#include "Layers/LimitedLayers.h"
 #include "Scene/Parallel.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Tiles.h"
+#include "Shade/LimitedLayers.h"
 
 namespace TemporalCoherence
 {
@@ -36,7 +36,7 @@ void LayerLimit::Take(std::int64_t tile, Frame& frame)
   }
 }
 
-/// Count the layers of a tile that would be kept with each limit. Most frames need no counts.
+/// Count the layers that a tile would keep at each level. Most frames need no counts.
 void LayerLimit::Count(std::int64_t tile, const Frame& frame)
 {
   const auto place = static_cast<std::size_t>(tile);
@@ -110,7 +110,7 @@ void LayerLimit::Finish(Frame& frame, FrameStatistics& statistics)
   }
 }
 
-/// Forget the layers that no light reaches if they do not fit beside those that are kept.
+/// Forget layers that no light reaches where they do not fit beside the visible layers.
 void LayerLimit::ForgetBehindIfTooMany(Frame& frame) const
 {
   std::size_t sum = 0;

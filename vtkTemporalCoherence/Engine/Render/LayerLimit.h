@@ -18,14 +18,14 @@ namespace TemporalCoherence
 /// How many layers frames keep.
 struct LayerOptions
 {
-  std::size_t OfPixel = MostKeptLayers; ///< the most of a pixel: a power of two
-  /// The most memory of all layers of a frame, in bytes. If they took more, half as many are kept
-  /// of each pixel, or a quarter, and so on, but at least one.
+  std::size_t OfPixel = MostKeptLayers; ///< limit of a pixel: a power of two
+  /// Limit of the memory of all layers of a frame, in bytes. Where it would be exceeded, the limit
+  /// of each pixel is halved until the layers fit, down to one layer.
   std::size_t Bytes = std::size_t(256) << 20;
 };
 
-/// Limits the layers that a frame keeps while threads make it. Which limit its pixels have in the
-/// end depends on the picture alone. Meanwhile it only falls, so that memory is bounded throughout.
+/// Limits the layers that a frame keeps while threads make it. The final limit of a pixel depends
+/// on the picture alone. Until then the limit only falls, which bounds memory throughout.
 class LayerLimit
 {
 public:
@@ -33,7 +33,7 @@ public:
   /// \throws std::bad_alloc
   LayerLimit(const LayerOptions& options, Frame& frame);
 
-  /// Count the layers of a tile that is made, and merge them if the frame has too many. Thread-safe
+  /// Count the layers of a finished tile, and merge layers if the frame has too many. Thread-safe
   /// for different tiles.
   void Take(std::int64_t tile, Frame& frame);
 
@@ -51,15 +51,17 @@ private:
 
   std::size_t OfPixel;
   std::int64_t MostOfFrame;
-  bool IsNeeded;                         ///< the layers may be too many
+  bool IsNeeded;                         ///< the frame may have too many layers
   std::atomic<std::int64_t> Total{ 0 };  ///< layers of all tiles, before any are merged here
-  std::atomic<std::int64_t> Behind{ 0 }; ///< those that no light reaches
-  std::vector<std::uint8_t> IsCounted;   ///< 1 for each tile that Kept knows
-  std::array<std::atomic<std::int64_t>, Levels> Kept{}; ///< by these tiles, if this were the level
+  std::atomic<std::int64_t> Behind{ 0 }; ///< layers that no light reaches
+  std::vector<std::uint8_t> IsCounted;   ///< 1 for each tile that Kept includes
+  std::array<std::atomic<std::int64_t>, Levels>
+    Kept{}; ///< layers of these tiles, if limited to each level
   std::atomic<std::int64_t> Merged{ 0 };
 };
 
-/// True if the layers of a tile are those that a frame with other tiles would keep.
+/// True if no limit of a frame's memory reduced a tile's layers, so that other frames can copy
+/// them.
 /// \param frame a finished one
 bool KeepsAllLayers(std::int64_t tile, const Frame& frame, const LayerOptions& options);
 

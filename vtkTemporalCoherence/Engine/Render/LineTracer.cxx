@@ -3,8 +3,8 @@
 #include "Render/LineTracer.h"
 
 #include "Render/FrameStructures.h"
+#include "Render/ShadeSceneOf.h"
 #include "Render/TileTracer.h"
-#include "Shade/TileShader.h"
 
 namespace TemporalCoherence
 {
@@ -35,7 +35,7 @@ std::optional<LineHit> TraceLine(
   key.Appearance = Appearance();
   key.Appearance.Colors.resize(key.Isosurfaces.Isovalues.size());
   Frame frame;
-  frame.Resize(key.View.Size, { false, false, key.Samples.Kind->Abilities().IsMesh });
+  frame.Resize(key.View.Size, { false, false, key.Samples.Shape->Abilities().IsMesh });
   frame.Layers.resize(key.Isosurfaces.IsTranslucent() ? 1 : 0);
   const PixelRect pixel{ glm::ivec2(0), glm::ivec2(1) };
   // No structures: building them pays for whole pictures only, and reading every cell on one line
@@ -44,7 +44,7 @@ std::optional<LineHit> TraceLine(
   TileHits found;
   TraceCounts counts = tracer.Trace(0, pixel, frame, found);
   // Shade, so that surfaces made invisible by gradient opacity are not picked.
-  TileShader(key, finiteRange, {}, HitSet::All, HitSet::All)
+  TileShader(ShadeSceneOf(key, finiteRange, {}), HitSet::All, HitSet::All)
     .Shade(0, pixel, nullptr, frame, counts);
   if (frame.Isovalues[0] == Frame::NoSurface)
   {

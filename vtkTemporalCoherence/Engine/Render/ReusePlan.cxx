@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/ReusePlan.h"
 
-#include "Projections/MetValues.h"
+#include "Volumes/Projections/MetValues.h"
 
 namespace TemporalCoherence
 {
@@ -13,8 +13,8 @@ namespace
 /// copies cost little and save little.
 constexpr double MostToTrace = 0.5;
 
-/// True if parts of the last picture can be copied, to the last bit. With ColorByAnswer they
-/// cannot: a copied pixel would need the colour of its new answer.
+/// True if parts of the last picture can be copied exactly. With ColorByAnswer they cannot: a
+/// copied pixel would need the colour of its new answer.
 bool CanCopy(const FrameChange& change, const FrameKey& next, const HeldForReuse& held)
 {
   return change.Samples && !change.View && !change.Surfaces && !change.Opacity &&
@@ -22,14 +22,15 @@ bool CanCopy(const FrameChange& change, const FrameKey& next, const HeldForReuse
     held.ShareToTrace <= MostToTrace;
 }
 
-/// True if the last picture tells the first layers of the next one, and where to look for others.
+/// True if the last picture knows the first layers of the next one, and where the search for others
+/// begins.
 bool KnowsLayers(const FrameChange& change, const FrameKey& next, const HeldForReuse& held)
 {
   return change.Opacity && !change.Data && !change.View && held.IsExact &&
     !next.Isosurfaces.Isovalues.empty();
 }
 
-/// The route to or from a picture without isosurfaces.
+/// The route if the last or the next picture shows a blended volume.
 Route PlanVolume(const FrameChange& change, const FrameKey& last, const FrameKey& next,
   const ReuseSwitches& switches, const HeldForReuse& held)
 {

@@ -10,24 +10,24 @@
 namespace TemporalCoherence
 {
 
-/// How a whole frame is made. Routes that are no more leave gaps in the numbers.
+/// How a whole frame is made. Removed routes leave gaps in the numbers.
 enum class Route : std::uint8_t
 {
   Cold,           ///< every ray is traced, without help from an earlier frame
   Redisplay,      ///< nothing changed: the same picture
   Reshade,        ///< only the appearance changed: known hits get new colours
   IsomapLookup,   ///< another isovalue in the same view, looked up in the isomap
-  IsomapBuild,    ///< the same, where the isomap lacks tiles: they are built or traced
+  IsomapBuild,    ///< the isomap lacks some tiles: they are built or traced
   ImageCache = 6, ///< another view: a cached image tells where walks may begin
   TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
   Recomposite,    ///< only opacities changed: known layers are composited again
-  KeepValues = 10 ///< a projection's colours changed: what rays have met is known
+  KeepValues = 10 ///< only a projection's colours changed: known values get colours
 };
 
 /// The route's name as in the documentation, for example "Cold".
 const char* NameOf(Route route);
 
-/// What the user allows to be re-used.
+/// Kinds of re-use that the user allows.
 struct ReuseSwitches
 {
   bool ImageCache = true;
@@ -35,16 +35,16 @@ struct ReuseSwitches
   bool RefineWhenStill = true; ///< a repeated view ends in the cold picture
 };
 
-/// What is available for the next frame.
+/// The data available for the next frame.
 struct HeldForReuse
 {
   bool IsExact = true;        ///< the last picture is the cold picture of its key
-  bool Image = false;         ///< a cached image can serve, and is wanted
+  bool Image = false;         ///< a cached image can serve, and may be used
   bool Isomap = false;        ///< an isomap of this view covers the next isovalues
   bool IsIsomapExact = true;  ///< the isomap gives the cold picture
   bool CanBuildIsomap = true; ///< data and memory allow one
-  double ShareToTrace = 1.0;  ///< share of the tiles, if only samples changed
-  bool Values = false;        ///< what the rays of a projection have met
+  double ShareToTrace = 1.0;  ///< share of the tiles that changed samples affect; 1 if unknown
+  bool Values = false;        ///< the last frame keeps the values that a projection's rays met
 };
 
 /// Choose the best route from the last frame to the next one. A pure function, so that every

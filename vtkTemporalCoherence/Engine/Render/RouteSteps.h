@@ -4,37 +4,25 @@
 #define TemporalCoherence_RouteSteps_h
 
 #include "Render/Routes.h"
+#include "Render/ShadeSceneOf.h"
 #include "Render/TileLoop.h"
 #include "Render/TileTracer.h"
 #include "Scene/Timers.h"
-#include "Shade/TileShader.h"
 
 #include <cstddef>
 #include <cstdint>
 
-// What routes have in common.
+// Steps that several routes share.
 
 namespace TemporalCoherence
 {
 
-/// What views made from the frame may need.
+/// The optional planes that views made from the frame may need.
 inline FrameExtras ExtrasOf(const FrameTask& task)
 {
   const FrameOptions& options = task.Options;
-  const bool isPaper = options.Accuracy == ReuseAccuracy::Paper;
-  const bool isBounded =
-    options.Accuracy == ReuseAccuracy::Bounded && IsFasterFrom(task.Key, task.Key);
-  const bool isCached = options.Reuse.ImageCache;
-  return { isCached && (isPaper || isBounded), isCached && isBounded,
-    task.Key.Samples.Kind->Abilities().IsMesh };
-}
-
-/// The same for a route that finds no first entries.
-inline FrameExtras ExtrasWithoutEntries(const FrameTask& task)
-{
-  FrameExtras extras = ExtrasOf(task);
-  extras.FirstEntries = false;
-  return extras;
+  return { options.Reuse.ImageCache && options.Accuracy == ReuseAccuracy::Paper,
+    task.Key.Samples.Shape->Abilities().IsMesh };
 }
 
 /// Make room for the frame, and find out where its rays can meet surfaces.
@@ -46,10 +34,6 @@ inline LeapedSpace Begin(FrameTask& task, bool leaps, const FrameExtras& extras)
     task.Structures.PrepareActiveCells(task.Key);
   }
   task.Store.Begin(task.Key, extras);
-  if (task.Costs)
-  {
-    task.Costs->Resize(NumberOfGroups(task.Key.View.Size));
-  }
   return task.Structures.SpaceToLeap(leaps);
 }
 
@@ -59,24 +43,21 @@ inline TileScene SceneOf(const FrameTask& task, const LeapedSpace& space, const 
   return { task.Key, space.Active, space.Bounds, ranges.FiniteRange(), hint, &ranges };
 }
 
+inline ShadeScene ShadeSceneOf(const FrameTask& task, const LeapedSpace& space)
+{
+  return ShadeSceneOf(task.Key, task.Structures.Pyramid().FiniteRange(), space);
+}
+
 /// Call work(tile, part, frame) for all tiles of the frame.
 template <typename Work>
 bool WorkOnTiles(FrameTask& task, const ReportProgress& report, const Work& work)
 {
   Frame& frame = task.Store.Next().Picture;
-  return CountGroups(
-    frame.Size, report, task.Statistics,
+  return CountGroups(frame.Size, report, task.Statistics,
     [&](std::size_t group, TraceCounts& ofGroup)
     {
       CountGroup(frame.Size, group, ofGroup,
         [&](std::int64_t tile, const PixelRect& part) { return work(tile, part, frame); });
-    },
-    [&](std::size_t group, std::int64_t cost)
-    {
-      if (task.Costs)
-      {
-        task.Costs->SetTraced(group, cost);
-      }
     });
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/Routes.h"
 
-#include "ImageCache/FreeSpaceHint.h"
 #include "ImageCache/PaperHint.h"
 #include "Render/RouteSteps.h"
 #include "Scene/Timers.h"
@@ -26,7 +25,7 @@ bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
 {
   const Frame& last = task.Store.Last().Picture;
   const TileTracer tracer(SceneOf(task, space, hint));
-  const TileShader shader(task.Key, task.Structures.Pyramid().FiniteRange(), space, shaded, shaded);
+  const TileShader shader(ShadeSceneOf(task, space), shaded, shaded);
   const LayerOptions& layers = task.Options.Layers;
   return MakeTiles(task,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
@@ -42,7 +41,7 @@ bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
     });
 }
 
-/// If the hits of a picture are those of the last one, the answers of all pixels were known before.
+/// Count the answers of a picture that repeats the hits of the last one: all of them are definite.
 void CountKnownHits(FrameTask& task, const Frame& picture)
 {
   const Plane<std::int16_t>& isovalues = picture.Isovalues;
@@ -51,13 +50,12 @@ void CountKnownHits(FrameTask& task, const Frame& picture)
   statistics.DefiniteHits = statistics.Rays - statistics.DefiniteMisses;
 }
 
-/// What views made from the frame may need, if it is copied: no more than the last frame has.
+/// ExtrasOf, for a frame that copies planes of the last one: no plane that the last one lacks.
 FrameExtras ExtrasToCopy(const FrameTask& task)
 {
   const Frame& last = task.Store.Last().Picture;
   const FrameExtras extras = ExtrasOf(task);
-  return { extras.Disparities && !last.Disparities.empty(),
-    extras.FirstEntries && !last.FirstEntries.empty(), extras.Cells };
+  return { extras.Disparities && !last.Disparities.empty(), extras.Cells };
 }
 
 /// True if the colours of a cached image may be re-used: surfaces and lights must be the same.
@@ -78,7 +76,7 @@ bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
     !next.Appearance.ColorByAnswer;
 }
 
-/// Where rays can meet surfaces, if a picture has merged layers. These are traced again.
+/// The space for tracing merged layers again. Without merged layers nothing is prepared.
 LeapedSpace SpaceOfMerged(FrameTask& task, const Frame& picture)
 {
   const bool leaps = task.Options.SpaceLeaping &&
@@ -105,8 +103,8 @@ void ShadeAgain(FrameTask& task)
   {
     Stopwatch watch(task.Statistics.ShadeTime);
     FrameKey key = task.Key;
-    const TileShader shader(task.Key, task.Structures.Pyramid().FiniteRange(),
-      SpaceOfMerged(task, last.Picture), HitSet::None, HitSet::All);
+    const TileShader shader(
+      ShadeSceneOf(task, SpaceOfMerged(task, last.Picture)), HitSet::None, HitSet::All);
     std::swap(last.Key, key); // nothing from here on allocates
     std::mutex guard;
     ParallelForRanges(NumberOfTiles(last.Picture.Size), TileGrain,
@@ -133,17 +131,11 @@ bool TraceCold(FrameTask& task)
   return TraceTiles(task, Begin(task, task.Options.SpaceLeaping, ExtrasOf(task)), nullptr);
 }
 
-bool TraceFromImage(FrameTask& task, CachedImage& image)
+bool TraceFromImage(FrameTask& task, const CachedImage& image)
 {
   const FrameOptions& options = task.Options;
-  const bool isPaper = options.Accuracy == ReuseAccuracy::Paper;
-  const bool interpolates = isPaper && options.InterpolateColors && HasColorsFor(image, task.Key) &&
+  const bool interpolates = options.InterpolateColors && HasColorsFor(image, task.Key) &&
     !task.Key.Isosurfaces.IsTranslucent();
-  if (task.Costs)
-  {
-    task.Costs->Forget(); // of another view, and those of this one are not seen
-    task.Costs = nullptr;
-  }
   const LeapedSpace space = Begin(task, options.SpaceLeaping, ExtrasOf(task));
   CachedImage& made = task.Store.Next();
   made.Picture.IsFromCache = true;
@@ -151,14 +143,9 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
   std::unique_ptr<ImageQuery> query;
   {
     Stopwatch watch(task.Statistics.QueryTime);
-    query = std::make_unique<ImageQuery>(image, task.Key, options.Accuracy);
+    query = std::make_unique<ImageQuery>(image, task.Key);
   }
   const bool isSolid = task.Key.Isosurfaces.Mode == SurfaceMode::Threshold;
-  if (query->IsBounded())
-  {
-    const FreeSpaceHint hint(*query, isSolid);
-    return TraceTiles(task, space, &hint);
-  }
   const PaperHint hint(*query, isSolid, task.Key.View.Parallel, interpolates);
   return TraceTiles(task, space, &hint, interpolates ? HitSet::NotDefinite : HitSet::All);
 }
@@ -166,7 +153,6 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
 bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes)
 {
   const FrameExtras extras = ExtrasToCopy(task);
-  task.Costs = nullptr; // most are copied
   return TraceTiles(
     task, Begin(task, task.Options.SpaceLeaping, extras), nullptr, HitSet::All, &changes);
 }
@@ -174,14 +160,12 @@ bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes)
 bool CompositeKnownLayers(FrameTask& task)
 {
   const Frame& last = task.Store.Last().Picture;
-  task.Costs = nullptr; // few rays are traced
   const bool leaps = task.Options.SpaceLeaping && task.Key.Isosurfaces.IsTranslucent();
   const LeapedSpace space = Begin(task, leaps, ExtrasToCopy(task));
   Frame& next = task.Store.Next().Picture;
   next.Behind.resize(last.ClearTiles.size()); // opaque surfaces hide layers, too
   next.IsFromCache = last.IsFromCache;
-  const TileShader shader(
-    task.Key, task.Structures.Pyramid().FiniteRange(), space, HitSet::All, HitSet::All);
+  const TileShader shader(ShadeSceneOf(task, space), HitSet::All, HitSet::All);
   const bool isDone = MakeTiles(task,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {

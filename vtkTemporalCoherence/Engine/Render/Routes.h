@@ -16,7 +16,7 @@
 namespace TemporalCoherence
 {
 
-/// A frame to be made, and what to make it with.
+/// The task of making one frame, for all routes.
 struct FrameTask
 {
   const FrameKey& Key;
@@ -24,8 +24,7 @@ struct FrameTask
   FrameStore& Store;
   FrameStructures& Structures; ///< with the value ranges of the key
   FrameStatistics& Statistics;
-  ReportProgress Report;       ///< called with the progress, if it is not null; may stop the frame
-  GroupCosts* Costs = nullptr; ///< gets the costs of groups of tiles that are traced; or null
+  ReportProgress Report; ///< called with the progress, if it is not null; may stop the frame
 };
 
 // One function for each route. Redisplay and Reshade change the last frame in place. The others
@@ -41,31 +40,30 @@ void ShadeAgain(FrameTask& task);
 /// Cold: every ray is traced.
 bool TraceCold(FrameTask& task);
 
-/// Cold, for a volume that is not drawn by isosurfaces: what all rays see is blended.
+/// Cold, for a blended volume: every ray is traced and blended.
 bool BlendCold(FrameTask& task);
 
-/// KeepValues: only the colours of a projection changed. What the rays of the last frame have met
-/// is known. Rays whose extreme could not be seen then, and may be now, are searched.
+/// KeepValues: only the colours of a projection changed. The values that rays met are taken from
+/// the last frame. Rays are searched if their extreme was invisible then and may be visible now.
 bool BlendKnownValues(FrameTask& task);
 
 /// ImageCache: a cached image tells where walks begin.
 /// \pre the accuracy is not Exact
-bool TraceFromImage(FrameTask& task, CachedImage& image);
+bool TraceFromImage(FrameTask& task, const CachedImage& image);
 
 /// TimeStep: tiles that no changed sample affects are copied from the last frame.
 bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes);
 
-/// Recomposite: only opacities changed, and perhaps the appearance. Layers that the last frame
-/// knows are composited again. Rays that lead on behind the last of them are traced from there.
+/// Recomposite: only opacities changed, and perhaps the appearance. The known layers of the last
+/// frame are composited again. Rays that pass the last known layer are traced from there.
 /// \pre the last frame is exact
 bool CompositeKnownLayers(FrameTask& task);
 
 /// IsomapLookup and IsomapBuild: hits are looked up in tiles that have bands, and only unresolved
-/// rays are traced. In other tiles bands are built, as long as the frame does not take much longer
-/// than a cold one, or all rays are traced.
+/// rays are traced. Some other tiles get new bands; the rest trace all rays.
 /// \param map  of the view of the key
 /// \param unresolved memory for the unresolved rays of each tile, one bit each
-/// \param isBuilding set if some tiles were not looked up in bands that were there before
+/// \param isBuilding set if some tiles had no bands before
 bool LookUp(
   FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved, bool& isBuilding);
 

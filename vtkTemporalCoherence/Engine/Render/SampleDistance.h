@@ -12,7 +12,7 @@ namespace TemporalCoherence
 /// number of pixels from one ray to the next along each axis.
 ///
 /// The distance is an integer or, below 1, the inverse of one, if the limits permit. It changes
-/// rarely, because a frame cannot re-use one of another size.
+/// rarely, because frames of different sizes cannot re-use each other.
 class SampleDistanceChooser
 {
 public:
@@ -22,8 +22,9 @@ public:
 
   /// Learn from a frame whose rays were traced or looked up.
   ///
-  /// Only two kinds of frames count: frames of the same size as the one before, as others cannot
-  /// re-use it; and frames of interactions, as a still picture is completed once.
+  /// After the first frame, a frame counts only if it is part of an interaction and has the size of
+  /// the frame before: a still picture is completed only once, and a frame of another size re-uses
+  /// nothing.
   /// \param size    rays along each axis
   /// \param seconds to make and show it
   /// \param allowed seconds for it
@@ -46,8 +47,8 @@ private:
 /// \param distance if below 1, there are more rays than pixels
 glm::ivec2 RaysFor(const glm::ivec2& pixels, double distance);
 
-/// The most rays of a frame that is finer than the pixels: four for each pixel of 3840 x 2160. Two
-/// such pictures take 2.4 GB.
+/// Limit of rays of a frame finer than its pixels: four for each pixel of 3840 x 2160. Two such
+/// pictures take 2.4 GB.
 constexpr double MostRays = 1 << 25;
 
 /// The smallest distance, at most 1, at which a frame has at most MostRays.

@@ -35,17 +35,16 @@ void CountGroup(const glm::ivec2& size, std::size_t group, TraceCounts& counts, 
   }
 }
 
-/// Call work(group, counts) for each group of tiles of a picture, in parallel, and then
-/// done(group, nanoseconds).
-/// \param statistics gets the sum of what work() adds to its counts
+/// Call work(group, counts) for each group of tiles of a picture, in parallel.
+/// \param statistics receives the sum of all counts
 /// \param report is called in this thread with the progress from 0 to 1, before each part of the
 ///               work; threads wait for each other between parts. May be null: there is only one
 ///               part
 /// \return false if the report stopped it
 /// \throws std::bad_alloc if work() does, once no thread works any more
-template <typename Report, typename Work, typename Done>
-bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& statistics,
-  const Work& work, const Done& done)
+template <typename Report, typename Work>
+bool CountGroups(
+  const glm::ivec2& size, const Report& report, FrameStatistics& statistics, const Work& work)
 {
   constexpr std::int64_t mostParts = 32;
   constexpr std::int64_t smallestPart = 16;
@@ -66,7 +65,7 @@ bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& 
       [&](std::int64_t begin, std::int64_t end)
       {
         TraceCounts inRange;
-        std::int64_t before = TileTimer::Now();
+        const std::int64_t before = TileTimer::Now();
         for (std::int64_t group = first + begin; group < first + end && !isOutOfMemory; ++group)
         {
           try
@@ -77,11 +76,8 @@ bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& 
           {
             isOutOfMemory = true; // not every kind of threads passes exceptions on
           }
-          const std::int64_t now = TileTimer::Now();
-          done(static_cast<std::size_t>(group), now - before);
-          inRange.GroupTime += now - before;
-          before = now;
         }
+        inRange.GroupTime = TileTimer::Now() - before;
         const std::lock_guard<std::mutex> lock(guard);
         sum += inRange;
       });

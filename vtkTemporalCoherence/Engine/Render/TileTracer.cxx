@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/TileTracer.h"
 
+#include "Kinds/FieldKind.h"
+#include "Lattice/RayPieces.h"
 #include "Render/CapTiles.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/Timers.h"
-#include "Trace/RayPieces.h"
 
 namespace TemporalCoherence
 {
@@ -29,7 +30,7 @@ TileTracer::TileTracer(const TileScene& scene)
   , Rays(scene.Key.View, scene.Key.Transform, scene.Key.Samples.Dimensions, scene.Key.Region)
   , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Isosurfaces.Isovalues.empty())
   , IsSolid(scene.Key.Isosurfaces.Mode == SurfaceMode::Threshold)
-  , Tracer(SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Isosurfaces, scene.FiniteRange,
+  , Tracer(MakeSurfaceTracer({ scene.Key.Samples, scene.Key.Isosurfaces, scene.FiniteRange,
       scene.Active, scene.Hint != nullptr }))
   , Alphas(scene.Hint ? std::vector<float>() : AlphasOf(scene.Key.Isosurfaces))
 {
@@ -128,8 +129,8 @@ void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
     [this](const RayBatch& part, HitBatch& found) { this->Tracer->Trace(part, found); });
 }
 
-/// Find the first layers of all rays, as far as light reaches by the opacities of the isovalues.
-/// The nearest ones are the hits.
+/// Find the first layers of all rays, as deep as the opacities of the isovalues let light pass. The
+/// nearest layers are the hits.
 void TileTracer::FindFirstLayers(TileHits& found) const
 {
   LayerBatch& layers = found.Layers;
@@ -151,7 +152,7 @@ void TileTracer::FindFirstLayers(TileHits& found) const
   }
 }
 
-/// Trace the rays of a tile, and again those about which the hint was wrong.
+/// Trace the rays of a tile. Trace rays with a wrong hint a second time.
 void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, TileHits& found,
   Frame& frame, TraceCounts& counts) const
 {
@@ -194,7 +195,7 @@ void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, TileHits
   this->TraceAgain(again, frame, counts);
 }
 
-/// Write what rays found about which nothing was known.
+/// Write the hits of rays without a hint.
 void TileTracer::Store(
   const RayBatch& rays, const HitBatch& hits, Frame& frame, TraceCounts& counts) const
 {
@@ -209,7 +210,7 @@ void TileTracer::Store(
   StoreHits(rays, hits, answers, this->Scene.Key.View.Parallel, frame);
 }
 
-/// Trace again the rays about which the hint was wrong.
+/// Trace rays with a wrong hint again.
 void TileTracer::TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& counts) const
 {
   if (rays.Count == 0)

@@ -4,13 +4,13 @@
 #define TemporalCoherence_TileTracer_h
 
 #include "Acceleration/TileBounds.h"
+#include "Lattice/RayHint.h"
+#include "Lattice/RaySource.h"
+#include "Lattice/SurfaceTracer.h"
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/TileHits.h"
 #include "Shade/Shader.h"
-#include "Trace/RayHint.h"
-#include "Trace/RaySource.h"
-#include "Trace/SurfaceTracer.h"
 
 #include <cstdint>
 #include <memory>
@@ -31,7 +31,7 @@ struct TileScene
 };
 
 /// Traces the rays of a tile and writes the planes of the frame. The tile's bounds and the hint
-/// narrow the walks; rays about which the hint was wrong are traced again.
+/// narrow the walks; rays with a wrong hint are traced again.
 class TileTracer
 {
 public:
@@ -39,7 +39,7 @@ public:
   explicit TileTracer(const TileScene& scene);
 
   /// Trace the rays through `part`, which is tile number `tile`. Thread-safe.
-  /// \param found gets the rays and, if none of them was served by the hint, all hits
+  /// \param found receives the rays and, without a hint, all hits
   TraceCounts Trace(std::int64_t tile, const PixelRect& part, Frame& frame, TileHits& found) const;
 
   /// Trace some rays of a tile, one bit each, without a hint.
@@ -47,8 +47,8 @@ public:
     std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const;
 
 private:
-  /// Set up the rays of a tile, with walks only to where surfaces can be.
-  /// \return false if the rays are known to meet nothing. They are not set up then
+  /// Set up the rays of a tile. Narrow their walks to the parts that can hold surfaces.
+  /// \return false if the rays are known to miss. They are not set up then
   bool SetUp(std::int64_t tile, const PixelRect& part, TileHits& found) const;
 
   bool MayBeCapped(std::int64_t tile) const;

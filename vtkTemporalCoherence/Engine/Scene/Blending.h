@@ -15,7 +15,7 @@
 namespace TemporalCoherence
 {
 
-/// What a ray makes of the values that it passes.
+/// How a ray combines the values along it.
 enum class BlendMode : std::uint8_t
 {
   Isosurface, ///< only surfaces are seen: FrameKey::Isosurfaces tells which
@@ -42,7 +42,7 @@ inline bool operator==(const TransferFunction& a, const TransferFunction& b)
 struct Material
 {
   bool Shade = false;
-  double Ambient = 0.1; ///< share of its own colour that is seen without any light
+  double Ambient = 0.1; ///< share of its own colour that shows without any light
   double Diffuse = 0.7;
   double Specular = 0.2;
   double SpecularPower = 10.0;
@@ -81,26 +81,27 @@ enum class ComponentUse : std::uint8_t
   RgbOpacity    ///< four: the first three are a colour, the fourth gives the opacity
 };
 
-/// How a volume is drawn, other than by isosurfaces.
+/// Settings of a blended volume.
 struct Blending
 {
   BlendMode Mode = BlendMode::Isosurface;
   ComponentUse Use = ComponentUse::Independent;
-  std::vector<ComponentLook> Looks; ///< one for each component, but one in all if they depend
-  /// Components 1, 2 and 3, if there are. They differ from FrameKey::Samples in their values alone.
+  std::vector<ComponentLook>
+    Looks; ///< one for each component; a single one if components are dependent
+  /// Components 1, 2 and 3, if they exist. Only their values differ from FrameKey::Samples.
   std::vector<Field> Others;
   glm::dvec2 AverageRange{ 0.0 }; ///< values that count for Average, both ends included
-  /// By component, the values that Additive shows as 0 and as 1, and RgbOpacity, too.
+  /// By component: the values that count as 0 and as 1 with Additive and with RgbOpacity.
   std::vector<glm::dvec2> ScalarRanges;
-  /// World distance between samples; 0: they are as dense as the picture needs.
+  /// World distance between samples; 0: the picture is converged.
   double SampleDistance = 0.0;
-  /// For each pixel, the t at which something opaque hides the volume; null: nothing does.
+  /// For each pixel, the t at which an opaque prop hides the volume; null without such props.
   std::shared_ptr<const std::vector<double>> Ends;
 
   bool IsOn() const { return this->Mode != BlendMode::Isosurface; }
 };
 
-/// True if rays meet the same components at the same places.
+/// True if both sample equal components at equal places.
 inline bool HaveSameRays(const Blending& a, const Blending& b)
 {
   const bool haveSameEnds = a.Ends == b.Ends || (a.Ends && b.Ends && *a.Ends == *b.Ends);

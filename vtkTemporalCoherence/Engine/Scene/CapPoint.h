@@ -15,8 +15,8 @@ struct CapPoint
 {
   glm::dvec3 At;
   glm::dvec3 Direction;     ///< of the ray
-  CellNumber Cell = NoCell; ///< of a mesh, that the ray enters or begins in
-  bool IsOnPlane = false;   ///< that clips the field, or the near plane, within its accuracy
+  CellNumber Cell = NoCell; ///< of a mesh: the ray enters it or begins in it
+  bool IsOnPlane = false;   ///< it lies on a clipping plane or the near plane, within rounding
 };
 
 }

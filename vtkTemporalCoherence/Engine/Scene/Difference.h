@@ -22,8 +22,8 @@ namespace TemporalCoherence
 /// isovalue from far outside is moved to the limit. Every type also has a smallest positive number.
 /// A smaller isovalue that is not 0 is moved away from 0. An isovalue is never moved past a sample.
 ///
-/// Doubles have no such limits. Their differences are multiplied by a power of two. This changes no
-/// digit and leaves room above the largest difference and below it.
+/// Doubles have no such limits. A power of two scales their differences. This changes no digit, and
+/// leaves room above and below the largest difference.
 struct IsovalueScale
 {
   /// \tparam T           type of the samples
@@ -50,7 +50,7 @@ struct IsovalueScale
     return scale;
   }
 
-  /// The same for the samples of a field.
+  /// The scale for the samples of a field.
   static IsovalueScale For(
     ScalarType samples, const ValueBand& isovalues, const glm::dvec2& finiteRange)
   {
@@ -66,7 +66,7 @@ struct IsovalueScale
                                                             : moved;
   }
 
-  /// The same in units of differences.
+  /// The moved isovalue in units of differences.
   double Scaled(double isovalue) const { return this->Moved(isovalue) * this->Factor; }
 
   /// The largest difference of finite samples from an isovalue, in units of differences.
@@ -81,7 +81,7 @@ struct IsovalueScale
   double Largest = std::numeric_limits<double>::max(), Smallest = 0.0; ///< isovalues
 };
 
-/// How a difference is taken in double.
+/// The parameters of a difference in double.
 struct DifferenceInDouble
 {
   double Isovalue; ///< samples below it have differences of at most -Least
@@ -109,7 +109,7 @@ public:
   {
   }
 
-  /// The same in the units of a scale.
+  /// Differences from an isovalue in the units of a scale.
   Difference(double isovalue, const glm::dvec2& finiteRange, const IsovalueScale& scale)
     : Isovalue(scale.Moved(isovalue))
     , Factor(scale.Factor)
@@ -129,7 +129,7 @@ public:
       std::min(static_cast<double>(this->Limit) / this->Factor, largest) };
   }
 
-  /// How a difference is taken, for kernels: see operator().
+  /// The parameters of operator(), for kernels.
   DifferenceInDouble InDouble() const
   {
     static_assert(std::is_same_v<Real, double>);

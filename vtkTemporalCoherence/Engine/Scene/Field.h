@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_Field_h
 #define TemporalCoherence_Field_h
 
-#include "Scene/FieldKind.h"
+#include "Scene/FieldShape.h"
 
 #include <glm/glm.hpp>
 
@@ -44,7 +44,7 @@ enum class Interpolation : std::uint8_t
 /// Index space: sample (i, j, k) lies at the point (i, j, k); cell (i, j, k) is the box between the
 /// samples (i, j, k) and (i + 1, j + 1, k + 1). The field is defined on the box of all cells.
 ///
-/// This describes a *uniform* field. Fields of other kinds fill the same box, and Kind tells what
+/// This describes a *uniform* field. Fields of other kinds fill the same box, and Shape tells what
 /// is in it: a rectilinear field has its samples at other coordinates; others may have no samples.
 struct Field
 {
@@ -54,11 +54,11 @@ struct Field
   glm::ivec3 Dimensions{ 0 };      ///< samples along each axis
   glm::i64vec3 Strides{ 1, 0, 0 }; ///< scalars from one sample to the next along each axis
   std::uint64_t Stamp = 0;         ///< differs whenever the samples may have changed
-  std::shared_ptr<const FieldKind> Kind = UniformKind(); ///< never null
-  /// Cells that are hidden whatever their samples are; null for none.
+  std::shared_ptr<const FieldShape> Shape = UniformShape(); ///< never null
+  /// Cells that flags hide, whatever their samples are; null for none.
   std::shared_ptr<const HiddenCells> Flagged;
-  /// Cells that hold no surface: those of Flagged, and cells with a sample that is not a number.
-  /// Null for none. It follows from all else and is set where value ranges are (FieldRanges).
+  /// Cells that hold no surface: flagged cells, and cells with a NaN sample. Null for none. Derived
+  /// from the other members, together with the value ranges (FieldRanges).
   std::shared_ptr<const HiddenCells> Hidden;
 
   /// True if the samples do not fit into a processor's caches, so that prefetching pays.
@@ -69,7 +69,7 @@ struct Field
       Many;
   }
 
-  /// True if there is at least one cell.
+  /// True if the field has any cell.
   bool HasCells() const { return glm::all(glm::greaterThan(this->Dimensions, glm::ivec3(1))); }
 };
 
@@ -77,7 +77,7 @@ inline bool operator==(const Field& a, const Field& b)
 {
   return a.Samples == b.Samples && a.Type == b.Type && a.Between == b.Between &&
     a.Dimensions == b.Dimensions && a.Strides == b.Strides && a.Stamp == b.Stamp &&
-    AreSame(a.Kind, b.Kind) && a.Flagged == b.Flagged;
+    AreSame(a.Shape, b.Shape) && a.Flagged == b.Flagged;
 }
 
 /// The affine transform from index space to world coordinates, and its inverse.
@@ -92,7 +92,7 @@ inline bool operator==(const IndexTransform& a, const IndexTransform& b)
   return a.WorldFromIndex == b.WorldFromIndex;
 }
 
-/// The samples of a field with their type known.
+/// The samples of a field, by their C++ type.
 template <typename T>
 struct TypedField
 {
@@ -118,8 +118,8 @@ struct TypedField
 template <typename T>
 struct NarrowSamples
 {
-  /// True if the samples of a field are such, and 32 bits tell where in bytes each of them lies,
-  /// from the first one on.
+  /// True if a field has such samples, and offsets of 32 bits, in bytes from the first sample,
+  /// reach each of them.
   /// \pre field.HasCells()
   static bool Are(const Field& field)
   {

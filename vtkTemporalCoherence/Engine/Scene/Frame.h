@@ -17,7 +17,7 @@
 namespace TemporalCoherence
 {
 
-/// What is known about a ray before it is traced; afterwards, how it was answered.
+/// Knowledge about a ray: a prediction before the trace, the outcome afterwards.
 enum class Answer : std::uint8_t
 {
   DefiniteMiss, ///< known to meet nothing: not traced
@@ -31,13 +31,12 @@ enum class HitKind : std::uint8_t
   None,
   Entry, ///< the field rises to the isovalue: the ray comes from outside
   Exit,  ///< the field falls below the isovalue: the ray comes from inside
-  Cap, ///< the ray begins in a THRESHOLD solid, or leaves hidden cells in it: the solid is clipped
-       ///< there
-  Within ///< no hit; the ray is inside where it first enters an active cell
+  Cap ///< the ray begins in a THRESHOLD solid, or leaves hidden cells in it: the solid is clipped
+      ///< there
 };
 
-/// The colour of composited layers: premultiplied RGBA. It has more bits than a colour of a
-/// picture, so that the layers can be told apart again.
+/// The colour of composited layers: premultiplied RGBA. It has 16 bits a channel, so that the
+/// colours of single layers can be computed from it.
 struct LayerColor
 {
   /// Steps of the finest colour: 256 for each step of a byte.
@@ -69,26 +68,26 @@ struct LayerHit
   std::int32_t Pixel; ///< position in the planes
   std::int16_t Isovalue;
   HitKind Kind;
-  /// The composited colour of all layers in front of the next one that is kept. That of the last
-  /// one kept is the pixel's colour.
+  /// The composite of all layers in front of the next kept one. The last kept layer holds the
+  /// pixel's colour.
   LayerColor Color{};
   CellNumber Cell = NoCell;
 };
 
-/// How many layers of a pixel a frame keeps. Light that passes so many is either faint or meets a
-/// haze, in which no single layer can be told from the next one.
+/// The most layers of a pixel that a frame keeps. Light behind so many layers is faint, or they
+/// form a haze in which no single layer can be seen.
 constexpr std::size_t MostKeptLayers = 32;
 
-/// What is known about the layers of a tile besides those that are kept as they are composited.
+/// Facts about a tile's layers, in addition to the visible layers in Frame::Layers.
 struct LayersBehind
 {
-  /// Layers that no light reaches, those of a pixel from front to back. They have no colours.
+  /// Layers that no light reaches, within a pixel from front to back. They have no colours.
   std::vector<LayerHit> Hits;
-  /// One bit for each pixel of the tile, row by row: behind its last known layer there is none.
+  /// One bit for each pixel of the tile, row by row: no layer lies behind its last known one.
   std::uint64_t Ends = 0;
-  /// One bit for each pixel of the tile, row by row: it has more layers than are kept. Each of
-  /// those kept stands for itself and for all in front of the next one. What lies behind the first
-  /// one is not known.
+  /// One bit for each pixel of the tile, row by row: it has merged layers. A kept layer stands for
+  /// itself and for all layers in front of the next kept one. Layers behind the first one are not
+  /// known.
   std::uint64_t Merged = 0;
 };
 
@@ -96,13 +95,12 @@ struct LayersBehind
 template <typename T>
 using Plane = std::vector<T, DefaultInitAllocator<T>>;
 
-/// Planes that not all pictures need.
+/// Optional planes of a picture.
 struct FrameExtras
 {
-  bool Disparities = false;  ///< views made from the picture need them
-  bool FirstEntries = false; ///< the same
-  bool Cells = false;        ///< the field is a mesh
-  std::size_t Met = 0;       ///< numbers for each ray of a projection
+  bool Disparities = false; ///< views made from the picture need them
+  bool Cells = false;       ///< the field is a mesh
+  std::size_t Met = 0;      ///< kept numbers for each ray of a projection
 };
 
 /// A finished picture: planes with one value for each pixel. Row 0 is the bottom row; pixel (x, y)
@@ -118,38 +116,37 @@ struct Frame
   Plane<HitKind> Kinds;
   Plane<Answer> Answers;
   Plane<std::array<std::uint8_t, 4>> Colors; ///< premultiplied RGBA; 0 where nothing is hit
-  bool IsFromCache = false;                  ///< answers are those of a cached image
+  bool IsFromCache = false;                  ///< a cached image gave the answers
 
-  // FrameExtras: each is empty if no view will need it.
-  Plane<float> Disparities;  ///< of the hit, or of a miss (Disparity.h)
-  Plane<float> FirstEntries; ///< disparity at which the ray first entered an active cell
-  Plane<CellNumber> Cells;   ///< in which the surface is hit
+  // FrameExtras: an unneeded plane is empty.
+  Plane<float> Disparities; ///< of the hit, or of a miss (Disparity.h)
+  Plane<CellNumber> Cells;  ///< in which the surface is hit
 
-  /// If surfaces are translucent, all layers of each tile: round by round from front to back, and
-  /// by pixel within a round. Of a pixel with more than LayersOfPixel layers, every second one is
-  /// kept, or every fourth, and so on. Empty if surfaces are opaque. Colors holds the composite of
-  /// all layers; depth, normal and isovalue are those of the first.
+  /// The layers of each tile: round by round from front to back, and by pixel within a round. If a
+  /// pixel has more than LayersOfPixel layers, every second (fourth, ...) layer is kept. Empty if
+  /// surfaces are opaque. Colors holds the composite of all layers; depth, normal and isovalue
+  /// belong to the first layer.
   std::vector<std::vector<LayerHit>> Layers;
 
-  /// For each tile, which pixels have merged layers, and what a picture with other opacities may
-  /// need. The latter is no part of the picture. Empty if nothing is known.
+  /// For each tile: pixels with merged layers, and hidden layers that other opacities may show.
+  /// Hidden layers are no part of the picture. Empty if nothing is known.
   std::vector<LayersBehind> Behind;
 
-  /// The most layers that are kept of a pixel: a power of two.
+  /// The limit of kept layers of a pixel: a power of two.
   std::size_t LayersOfPixel = MostKeptLayers;
 
-  /// What the rays of a projection have met, so that other colours need no search: for each tile
-  /// that is not clear, arrays over its rays, one after the other. No part of the picture. Empty if
-  /// nothing is kept.
+  /// Values that the rays of a projection met, so that new colours need no search: for each tile
+  /// that is not clear, consecutive arrays over its rays. No part of the picture. Empty if nothing
+  /// is kept.
   Plane<double> Met;
-  glm::dvec2 MetWithin{ 0.0 }; ///< extremes that are kept; those of other rays lie beyond
+  glm::dvec2 MetWithin{ 0.0 }; ///< kept extremes lie within; extremes of other rays lie beyond
 
-  /// 1 for each tile whose planes are known to hold definite misses only. Such a tile is neither
-  /// read nor written again.
+  /// 1 for each clear tile: its planes are known to hold definite misses only. Clear tiles need no
+  /// more reading or writing.
   std::vector<std::uint8_t> ClearTiles;
 
-  /// The list of planes. Calls visit(plane, miss) for each, also those that are empty: a pointer to
-  /// the member, and its value where nothing is hit.
+  /// The list of planes. Calls visit(plane, miss) for each plane, even if it is empty: a pointer to
+  /// the member, and its value for a miss.
   /// \param disparityOfMiss in the frame's projection
   template <typename Visit>
   static void ForEachPlane(float disparityOfMiss, const Visit& visit)
@@ -161,7 +158,6 @@ struct Frame
     visit(&Frame::Answers, Answer::DefiniteMiss);
     visit(&Frame::Colors, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
     visit(&Frame::Disparities, disparityOfMiss);
-    visit(&Frame::FirstEntries, disparityOfMiss);
     visit(&Frame::Cells, NoCell);
   }
 
@@ -172,8 +168,7 @@ struct Frame
     const auto tiles = static_cast<std::size_t>(NumberOfTiles(size));
     const std::size_t met = tiles * TileSize * TileSize * extras.Met;
     if (size == this->Size && extras.Disparities == !this->Disparities.empty() &&
-      extras.FirstEntries == !this->FirstEntries.empty() && extras.Cells == !this->Cells.empty() &&
-      met == this->Met.size())
+      extras.Cells == !this->Cells.empty() && met == this->Met.size())
     {
       return;
     }
@@ -208,9 +203,9 @@ private:
   {
     return extras.Cells;
   }
-  static bool IsWanted(Plane<float> Frame::*plane, const FrameExtras& extras)
+  static bool IsWanted(Plane<float> Frame::*, const FrameExtras& extras)
   {
-    return plane == &Frame::Disparities ? extras.Disparities : extras.FirstEntries;
+    return extras.Disparities;
   }
 };
 

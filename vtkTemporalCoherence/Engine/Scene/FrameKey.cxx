@@ -8,8 +8,8 @@ namespace TemporalCoherence
 bool AreAlike(const Field& a, const Field& b)
 {
   const auto canBeTold = [](const Field& field)
-  { return field.HasCells() && field.Kind->Abilities().TimeSteps && !field.Flagged; };
-  return canBeTold(a) && canBeTold(b) && AreSame(a.Kind, b.Kind) && a.Type == b.Type &&
+  { return field.HasCells() && field.Shape->Abilities().TimeSteps && !field.Flagged; };
+  return canBeTold(a) && canBeTold(b) && AreSame(a.Shape, b.Shape) && a.Type == b.Type &&
     a.Between == b.Between && a.Dimensions == b.Dimensions;
 }
 

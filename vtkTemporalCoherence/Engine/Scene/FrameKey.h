@@ -25,16 +25,16 @@ struct FrameKey
   Blending Volume; ///< if it is on, there are no isosurfaces
 };
 
-/// True if two fields can differ in nothing but the values of their samples, so that fingerprints
-/// tell which changed. False if cells are flagged as hidden, or if the kind of field has no
+/// True if two fields differ in the values of their samples at most, so that fingerprints can find
+/// the changed samples. False if cells are flagged as hidden, or if the kind of field has no
 /// fingerprints.
 bool AreAlike(const Field& a, const Field& b);
 
-/// What changed between two frames, by part of the key.
+/// The changes between two frames, by part of the key.
 struct FrameChange
 {
   bool Data = false;    ///< samples, interpolation, transform, region
-  bool Samples = false; ///< of the data, only the values of samples
+  bool Samples = false; ///< the data changed in nothing but values of samples
   bool View = false;
   bool Surfaces = false; ///< isovalues or mode
   bool Opacity = false;

@@ -99,13 +99,7 @@ void CopyRays(const PixelRect& part, const Frame& from, Frame& frame)
     copy(&Frame::Kinds);
     copy(&Frame::Answers);
     copy(&Frame::Disparities);
-    copy(&Frame::FirstEntries);
     copy(&Frame::Cells);
-    if (frame.FirstEntries.empty())
-    {
-      // Only frames with first entries tell where a ray runs inside.
-      std::replace(&frame.Kinds[row], &frame.Kinds[row] + count, HitKind::Within, HitKind::None);
-    }
   }
 }
 
@@ -119,7 +113,7 @@ float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParall
 namespace
 {
 
-/// Write what not all frames need.
+/// Write the optional planes.
 void StoreExtras(
   const RayBatch& rays, const HitBatch& hits, std::size_t ray, bool isParallel, Frame& frame)
 {
@@ -131,14 +125,6 @@ void StoreExtras(
   if (!frame.Cells.empty())
   {
     frame.Cells[pixel] = hits.Cell[ray];
-  }
-  if (!frame.FirstEntries.empty())
-  {
-    frame.FirstEntries[pixel] = DisparityAt(rays, ray, hits.FirstEntry[ray], isParallel);
-    if (hits.Kind[ray] == HitKind::None && hits.FromInside[ray])
-    {
-      frame.Kinds[pixel] = HitKind::Within;
-    }
   }
 }
 
@@ -182,8 +168,7 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array
       copy(i, std::integral_constant<int, 1>());
     }
   }
-  const bool hasExtras =
-    !frame.Disparities.empty() || !frame.FirstEntries.empty() || !frame.Cells.empty();
+  const bool hasExtras = !frame.Disparities.empty() || !frame.Cells.empty();
   for (std::size_t i = 0; i < count && hasExtras; ++i)
   {
     StoreExtras(rays, hits, i, isParallel, frame);

@@ -20,12 +20,12 @@ struct TraceCounts
   std::int64_t TracedRays = 0;
   std::int64_t CellsRead = 0;
   std::int64_t Layers = 0;       ///< surfaces that were composited, if some are translucent
-  std::int64_t MergedLayers = 0; ///< of these, those that share what is kept with one before them
+  std::int64_t MergedLayers = 0; ///< of these, layers that were merged into one in front
   std::int64_t QueryTime = 0;    ///< nanoseconds to query a cached image, in tiles that were timed
-  std::int64_t ShadeTime = 0;    ///< the same for shading
-  std::int64_t TileTime = 0;     ///< the same in total
+  std::int64_t ShadeTime = 0;    ///< nanoseconds of shading, in tiles that were timed
+  std::int64_t TileTime = 0;     ///< nanoseconds in all, in tiles that were timed
   std::int64_t BuildTime = 0; ///< nanoseconds to build bands of an isomap, in all groups of tiles
-  std::int64_t GroupTime = 0; ///< the same in total
+  std::int64_t GroupTime = 0; ///< nanoseconds in all groups of tiles
 
   TraceCounts& operator+=(const TraceCounts& other)
   {
@@ -50,12 +50,12 @@ struct TraceCounts
 /// \param isParallel kind of the projection
 void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame);
 
-/// Copy a tile from an exact picture that shows the same there. Its answers become definite.
+/// Copy a tile from an exact picture that is equal there. Its answers become definite.
 TraceCounts CopyTile(
   std::int64_t tile, const PixelRect& part, const Frame& from, bool isParallel, Frame& frame);
 
-/// Copy what is known about the rays of a tile, whatever the opacities: kinds of hits, answers, and
-/// what views made from the frame need.
+/// Copy all that does not depend on opacities in a tile: kinds of hits, answers, and the planes
+/// that views made from the frame need.
 void CopyRays(const PixelRect& part, const Frame& from, Frame& frame);
 
 /// Write the hit of one ray into the planes of a frame.

@@ -29,7 +29,7 @@ struct GridCoordinates
     return this->Along[static_cast<std::size_t>(axis)];
   }
 
-  /// Coordinate of sample `i`; of the last sample if `i` is beyond it.
+  /// Coordinate of sample `i`, clamped to the last sample.
   double At(int axis, int i) const
   {
     const std::vector<double>& all = this->Of(axis);
@@ -40,7 +40,7 @@ struct GridCoordinates
   int CellOf(int axis, double coordinate) const
   {
     const std::vector<double>& all = this->Of(axis);
-    // std::upper_bound among the planes inside, but without branches that cannot be foreseen.
+    // std::upper_bound among the inner planes, but without unpredictable branches.
     const double* before = all.data();
     std::size_t left = all.size() - 2;
     while (left > 0)

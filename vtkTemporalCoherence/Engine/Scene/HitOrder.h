@@ -13,7 +13,7 @@
 namespace TemporalCoherence
 {
 
-/// A surface on a ray: what decides its order among others.
+/// A surface on a ray, by the properties that decide its order.
 struct MetSurface
 {
   double Distance;

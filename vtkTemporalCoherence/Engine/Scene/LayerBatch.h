@@ -19,30 +19,29 @@
 namespace TemporalCoherence
 {
 
-/// A share of light that is taken as none: half a step of a colour.
+/// A transmittance that counts as 0: half a step of a colour.
 constexpr float NoLight = 1.0f / 512.0f;
 
-/// The share of the light from behind that still passes a ray's surfaces behind one more.
+/// Transmittance of a ray behind one more surface of opacity `alpha`.
 inline float PassedBehind(float transmittance, float alpha)
 {
   const float passed = transmittance * (1.0f - alpha);
   return passed <= NoLight ? 0.0f : passed;
 }
 
-/// Surfaces along the rays of a batch, several of each: the next ones behind the last. They are
-/// found and composited in passes of a few of each ray, so that memory is bounded.
+/// The next surfaces along the rays of a batch. Each pass finds and composites a few surfaces of
+/// each ray, so that memory is bounded.
 struct LayerBatch
 {
   template <typename T>
   using Array = RayBatch::Array<T>;
 
-  static constexpr std::size_t MostLayers = 16; ///< of a ray in a pass
+  static constexpr std::size_t MostLayers = 16; ///< of one ray in one pass
   static constexpr std::size_t Capacity = MostLayers * RayBatch::Capacity;
   template <typename T>
   using List = std::array<T, Capacity>;
 
-  // The surfaces of this pass, in the order in which they were found: along each ray from front to
-  // back.
+  // The surfaces of this pass, in order of discovery: along each ray from front to back.
   std::size_t Total = 0;
   List<double> Distance;
   List<std::int16_t> Surface;
@@ -50,27 +49,27 @@ struct LayerBatch
   List<CellNumber> Cell; ///< of a mesh
   List<std::uint8_t> Ray;
 
-  std::size_t Limit = MostLayers; ///< how many of a ray to look for in this pass
-  /// Opacities of the isovalues. Null: only shading tells them.
+  std::size_t Limit = MostLayers; ///< largest number of surfaces of a ray in this pass
+  /// Opacities of the isovalues. Null: they depend on gradients, so only shading knows them.
   const float* Alphas = nullptr;
 
-  Array<std::uint8_t> Count; ///< of each ray, and their places in the list:
+  Array<std::uint8_t> Count; ///< surfaces of each ray, and their places in the lists:
   std::array<Array<std::uint16_t>, MostLayers> Place;
 
-  /// The last surface of each ray, of this pass or an earlier one; behind it the search goes on.
+  /// The last surface of each ray so far, in any pass. The search goes on behind it.
   Array<double> LastDistance;
   Array<std::int16_t> LastSurface;
   Array<HitKind> LastKind;
 
-  /// The share of light that passes each ray's surfaces. That of this pass is not in it if only
-  /// shading tells opacities.
+  /// The transmittance of each ray's surfaces. Without Alphas, surfaces of this pass do not count
+  /// yet.
   Array<float> Transmittance;
   std::uint64_t Open = 0; ///< one bit for each ray that may meet more surfaces in this pass
   std::int64_t CellsRead = 0;
 
-  /// Begin with rays that have met nothing.
-  /// \param alphas AlphasOf the surfaces. If there are none, one surface is looked for first, as it
-  ///               may be opaque
+  /// Begin with rays that have met no surface.
+  /// \param alphas AlphasOf the surfaces. If empty, the first pass finds one surface, as it may be
+  ///               opaque
   void Begin(std::size_t rays, const std::vector<float>& alphas)
   {
     this->Alphas = alphas.empty() ? nullptr : alphas.data();
@@ -85,7 +84,7 @@ struct LayerBatch
     this->CellsRead = 0;
   }
 
-  /// Begin with rays that have met surfaces already, and that some light passes.
+  /// Begin with rays whose first surfaces are known and translucent.
   /// \param open one bit for each ray that goes on behind its last surface
   void BeginBehind(std::size_t rays, const std::vector<float>& alphas, std::uint64_t open,
     const Array<float>& transmittance)
@@ -106,7 +105,7 @@ struct LayerBatch
   bool IsOpen(std::size_t ray) const { return this->Open >> ray & 1u; }
   void Close(std::size_t ray) { this->Open &= ~(std::uint64_t(1) << ray); }
 
-  /// Append the next surface of a ray. A ray that is full or opaque then is open no more.
+  /// Append the next surface of a ray. Close the ray if it is full or opaque now.
   void Append(
     std::size_t ray, double distance, HitKind kind, std::int16_t surface, CellNumber cell = NoCell)
   {
@@ -131,8 +130,8 @@ struct LayerBatch
     }
   }
 
-  /// True if a surface is farther behind the last one of a ray than rounding may move either. Else
-  /// it depends on the way of a walk which of them comes first.
+  /// True if a surface lies behind the last one of a ray by more than rounding errors. Closer
+  /// surfaces may change their order with the path of a walk.
   bool IsClearlyBehind(std::size_t ray, double distance) const
   {
     constexpr double share = 0x1p-49;
@@ -145,10 +144,10 @@ struct LayerBatch
     return this->Count[ray] >= this->Limit || this->Transmittance[ray] == 0.0f;
   }
 
-  /// Begin the next pass: for rays that were full in this one and that are not opaque. It may find
-  /// twice as many surfaces of each.
-  /// \param transmittance that shading tells
-  /// \return false if there are none
+  /// Begin the next pass, with the rays that were full in this pass and are not opaque. The limit
+  /// of surfaces doubles.
+  /// \param transmittance of each ray, from shading
+  /// \return false if no ray goes on
   bool BeginNext(std::size_t rays, const Array<float>& transmittance)
   {
     this->Open = 0;

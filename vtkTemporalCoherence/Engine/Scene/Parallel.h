@@ -10,9 +10,9 @@
 namespace TemporalCoherence
 {
 
-/// Call `work(begin, end)` for ranges that make up [0, count), in parallel and in any order. A
-/// range has at least `grain` numbers if there are so many. The work must not throw and must not
-/// depend on the order.
+/// Call `work(begin, end)` for ranges that make up [0, count), in parallel and in any order. Ranges
+/// have at least min(grain, count) numbers. The work must not throw, and its result must not depend
+/// on the order.
 template <typename Work>
 void ParallelForRanges(std::int64_t count, std::int64_t grain, const Work& work)
 {
@@ -24,7 +24,7 @@ void ParallelForRanges(std::int64_t count, std::int64_t grain, const Work& work)
   }
 }
 
-/// The same, calling `work(i)` for each i in [0, count).
+/// Call `work(i)` for each i in [0, count), in parallel.
 template <typename Work>
 void ParallelFor(std::int64_t count, std::int64_t grain, const Work& work)
 {

@@ -23,7 +23,7 @@ constexpr std::size_t WholeVectors(std::size_t count)
   return (count + WidestVector - 1) / WidestVector * WidestVector;
 }
 
-/// One value for each ray of a tile, so aligned that no vector lies in two lines of a cache.
+/// One value for each ray of a tile, aligned so that no vector crosses a cache line.
 template <typename T>
 struct alignas(64) TileArray : std::array<T, 64>
 {
@@ -45,7 +45,7 @@ struct RayBatch
   std::array<Array<double>, 3> Origin, Direction;
   std::array<Array<double>, 3> Inverse; ///< 1 / Direction
   Array<double> Begin, End, WalkBegin, WalkEnd;
-  Array<double> PerDepth;    ///< t for each unit of what the projection divides by
+  Array<double> PerDepth;    ///< t for each unit of the projection's divisor
   Array<std::int32_t> Pixel; ///< position in the planes of the frame
   bool MayBeCapped = true;   ///< false: no ray begins in a solid
 
@@ -56,7 +56,7 @@ struct RayBatch
   }
 };
 
-/// Gradients of the field at hits of a batch, in index space, where a search knows them.
+/// Gradients of the field at hits of a batch, in index space, where the search computed them.
 struct KnownGradients
 {
   std::uint64_t Rays = 0; ///< one bit for each ray whose gradient is known
@@ -76,9 +76,7 @@ struct KnownGradients
 /// The hits of a batch, as arrays over rays.
 struct HitBatch
 {
-  RayBatch::Array<double> Depth;      ///< t, or infinity
-  RayBatch::Array<double> FirstEntry; ///< t where the first active cell is entered, or infinity
-  RayBatch::Array<std::uint8_t> FromInside; ///< 1 if it is inside that cell's isovalue there
+  RayBatch::Array<double> Depth;         ///< t, or infinity
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
   RayBatch::Array<CellNumber> Cell; ///< of a mesh
@@ -90,8 +88,6 @@ struct HitBatch
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::fill_n(this->Depth.begin(), count, infinity);
-    std::fill_n(this->FirstEntry.begin(), count, infinity);
-    std::fill_n(this->FromInside.begin(), count, std::uint8_t(0));
     std::fill_n(this->Surface.begin(), count, Frame::NoSurface);
     std::fill_n(this->Kind.begin(), count, HitKind::None);
     std::fill_n(this->Cell.begin(), count, NoCell);
@@ -103,7 +99,8 @@ struct HitBatch
 /// Append ray `ray` of one batch to another.
 void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to);
 
-/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
+/// Mean distance between neighbouring rays of a whole tile, in voxels, measured across the rays
+/// where a middle one begins to walk.
 /// \pre rays.Count == RayBatch::Capacity
 double SpacingOf(const RayBatch& rays);
 

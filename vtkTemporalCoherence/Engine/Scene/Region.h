@@ -26,8 +26,8 @@ struct Region
   /// Clipping planes in the world, normal and offset: dot(normal, p) + offset >= 0 is kept.
   std::vector<glm::dvec4> Clips;
 
-  /// Cropping planes in index space: the lower and the upper one along each axis. They divide the
-  /// field into 27 boxes.
+  /// Lower and upper cropping plane along each axis, in index space. They divide the field into 27
+  /// boxes.
   std::array<glm::dvec2, 3> Crops{};
   std::uint32_t Boxes = AllBoxes; ///< bit x + 3 y + 9 z is set if that box is kept
 

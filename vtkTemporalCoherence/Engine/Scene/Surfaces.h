@@ -17,7 +17,7 @@ namespace TemporalCoherence
 enum class SurfaceMode : std::uint8_t
 {
   Crossing, ///< the field passes the isovalue in either direction; solids are not capped
-  Threshold ///< the solid where field >= isovalue begins; where it is clipped, it is capped
+  Threshold ///< where the solid field >= isovalue begins; it is capped where it is clipped
 };
 
 /// Opacity by gradient magnitude. It multiplies the opacity of a surface.
@@ -27,8 +27,8 @@ struct GradientOpacity
   /// If empty, the opacity is 1.
   std::vector<glm::dvec2> Nodes;
 
-  /// Scales a gradient of index space to one per mean sample distance: the mean distance over that
-  /// along each axis.
+  /// Scales a gradient of index space to one per mean sample distance: the mean sample distance,
+  /// divided by the sample distance along each axis.
   glm::dvec3 PerStep{ 1.0 };
 
   double At(double gradientMagnitude) const
@@ -90,7 +90,7 @@ inline bool IsWithin(const ValueBand& inner, const ValueBand& outer)
   return outer.Holds(inner.Low) && outer.Holds(inner.High);
 }
 
-/// Opacities of isovalues, as they are composited. Empty if only shading tells them.
+/// Opacities of isovalues for compositing. Empty if all are opaque, or if gradients change them.
 inline std::vector<float> AlphasOf(const Surfaces& surfaces)
 {
   std::vector<float> alphas;

@@ -14,7 +14,7 @@ namespace TemporalCoherence
 /// Unit directions of rays in the world, by axis.
 using WorldDirections = std::array<RayBatch::Array<double>, 3>;
 
-/// The rays of a tile and what they hit: what a stage leaves to the next one while it is in the
+/// The rays of a tile with their hits. One stage of a frame hands them to the next within the
 /// caches.
 struct TileHits
 {
@@ -22,7 +22,8 @@ struct TileHits
   WorldDirections World;
   HitBatch Hits;
   bool AreAll = false; ///< the planes of the frame hold these hits, one for each ray
-  /// If surfaces are translucent and layers were found with the hits: the first ones of each ray.
+  /// The first layers of each ray, if surfaces are translucent and the search for hits found
+  /// layers.
   LayerBatch Layers;
   bool HasLayers = false;
 };

@@ -71,7 +71,7 @@ private:
   std::int32_t First;  ///< pixel of the tile
   std::int32_t RowEnd; ///< pixels between its rows
   /// 1 / width in units of 2^-32, rounded up. A pixel lies less than eight rows and eight columns
-  /// behind the first one, so that the row is too high in no picture.
+  /// behind the first one, so rounding up never yields the next row.
   std::uint64_t PerWidth;
 };
 

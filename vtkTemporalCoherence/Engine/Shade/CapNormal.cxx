@@ -22,9 +22,10 @@ CapPlanes::CapPlanes(
   }
 }
 
-glm::dvec3 CapNormal(CapPoint cap, const Field& field, const CapPlanes& planes)
+glm::dvec3 CapNormal(
+  CapPoint cap, const Field& field, const FieldNormals& normals, const CapPlanes& planes)
 {
-  double nearest = 1e-3; // cells: what remains of a depth in single precision
+  double nearest = 1e-3; // in cells: error of a depth in single precision
   glm::dvec3 found(0.0);
   const auto isNearer = [&](const glm::dvec4& plane)
   {
@@ -46,7 +47,7 @@ glm::dvec3 CapNormal(CapPoint cap, const Field& field, const CapPlanes& planes)
   {
     found = glm::dvec3(0.0);
   }
-  const glm::dvec3 ofFace = field.Kind->FaceNormal(field, cap, nearest);
+  const glm::dvec3 ofFace = normals.FaceNormal(field, cap, nearest);
   return ofFace != glm::dvec3(0.0) ? ofFace : found;
 }
 

@@ -6,6 +6,7 @@
 #include "Scene/CapPoint.h"
 #include "Scene/Field.h"
 #include "Scene/View.h"
+#include "Shade/FieldNormals.h"
 
 #include <glm/glm.hpp>
 
@@ -17,7 +18,7 @@ namespace TemporalCoherence
 /// Planes in index space where solids are capped, as unit normals and offsets.
 struct CapPlanes
 {
-  std::vector<glm::dvec4> OfRegion; ///< that clip the field
+  std::vector<glm::dvec4> OfRegion; ///< planes that clip the field
   glm::dvec4 Near{ 0.0 };           ///< of the camera; 0: there is none
 
   CapPlanes() = default;
@@ -28,7 +29,8 @@ struct CapPlanes
 /// the ray comes from, or of a plane that clips the field. The nearest counts.
 /// \return of unit length, facing against the ray; the zero vector at the near plane, and if the
 /// point is on none of them
-glm::dvec3 CapNormal(CapPoint cap, const Field& field, const CapPlanes& planes);
+glm::dvec3 CapNormal(
+  CapPoint cap, const Field& field, const FieldNormals& normals, const CapPlanes& planes);
 
 }
 

@@ -81,7 +81,7 @@ private:
   void TakeRow(std::size_t first, const double* x, double y)
   {
     const std::size_t at = this->Hits.Rays.Count;
-    // Field by field: the compiler does not know that none of them lies in another.
+    // Copy array by array: the compiler does not know that the arrays do not overlap.
     for (std::size_t i = 0; i < TileSize; ++i)
     {
       this->Hits.Pixel[at + i] = static_cast<std::int32_t>(first + i);
@@ -106,7 +106,7 @@ private:
     for (std::size_t i = 0; i < count; ++i)
     {
       // Without branches, which would be mispredicted at silhouettes: every pixel is written to the
-      // end of both lists, and at most one of them grows.
+      // end of both lists, but extends one list at most.
       const std::size_t pixel = first + i;
       const bool isMiss = this->Planes.Isovalues[pixel] == Frame::NoSurface;
       const bool isKnown =

@@ -31,7 +31,7 @@ struct HitRays
 
   glm::dvec3 DirectionAt(std::size_t i) const { return At(*this->Direction, i); }
 
-  /// A hit, with the bits that kernels find.
+  /// The point of a hit, bit-identical to the kernels' points.
   glm::dvec3 PointAt(std::size_t i) const
   {
     return (this->AreApart ? At(this->Begin, i) : this->Eye) + this->T[i] * this->DirectionAt(i);

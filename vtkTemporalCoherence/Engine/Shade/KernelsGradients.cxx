@@ -10,7 +10,7 @@
 #define HWY_TARGET_INCLUDE "Shade/KernelsGradients.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Shade/KernelsPacked-inl.h"
+#include "Lattice/KernelsPacked-inl.h"
 #include "Shade/RealRows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -61,7 +61,7 @@ private:
   std::size_t At;
 };
 
-/// The same from samples that lie in memory.
+/// Loads rows by gathering samples from where they lie in memory.
 template <typename T>
 struct GatheringLoader : PackedSamples::HWY_NAMESPACE::GatheredRows<T>
 {
@@ -80,7 +80,7 @@ struct GatheringLoader : PackedSamples::HWY_NAMESPACE::GatheredRows<T>
 
   HWY_INLINE void Beside(std::size_t row, typename Rows::V out[2]) const
   {
-    // Before the cell or behind it along one axis, at an end of the other.
+    // Rows lie outside of the cell along one axis, and on a cell face along the other axis.
     const int across = (row & 2u) != 0 ? 2 : -1, end = static_cast<int>(row & 1u);
     this->Two(row < 4 ? across : end, row < 4 ? end : across, out);
   }
@@ -102,8 +102,8 @@ HWY_INLINE hn::Vec<hn::CappedTag<double, WidestVector / 2>> LoadWhole(
   return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::int32_t, decltype(d)>(), from));
 }
 
-/// Weights for interpolation along an axis: of the values at the first and the second corner, and
-/// the same over the distance of the samples that are subtracted, one or two steps.
+/// Weights for interpolation along an axis: of values at the first and second corner, and of
+/// differences there, divided by their one or two steps.
 template <class V>
 struct AxisWeights
 {
@@ -156,7 +156,7 @@ HWY_INLINE void StoreAsDoubles(
   }
 }
 
-/// \param loaderAt makes what loads the rows of a vector of points
+/// \param loaderAt makes the loader of rows for a vector of points
 template <typename Loader, typename Real, typename LoaderAt>
 HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Real>& points,
   const LoaderAt& loaderAt, Vectors& gradients)

@@ -22,7 +22,7 @@ template <typename T>
 using Array = RayBatch::Array<T>;
 using Vectors = std::array<Array<double>, 3>; ///< by axis
 
-/// The cells of a field, and how to find them from points in the world.
+/// The cells of a field, and the transform from the world to index space.
 struct CellSpace
 {
   glm::dmat4 IndexFromWorld{ 1.0 };
@@ -54,7 +54,7 @@ using StoredAs = std::conditional_t<std::is_integral_v<T> && (sizeof(T) > 2), do
 template <typename Stored>
 struct RowBatch
 {
-  /// The rows of the cell, from the sample before it to the one behind it: [y + 2 z].
+  /// Rows of the cell, extended by a sample before and a sample behind the cell: [y + 2 z].
   std::array<Array<std::array<Stored, 4>>, 4> Along;
   /// The rows beside the cell: [0, 1] before it in y, [2, 3] behind it, at both z; [4, 5] before it
   /// in z, [6, 7] behind it, at both y.
@@ -80,7 +80,7 @@ void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<double>
 void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<double>& points,
   const RowBatch<double>& rows, Vectors& gradients);
 
-/// The same in inner cells, whose samples the vectors of the machine gather themselves.
+/// Find gradients in inner cells. The vectors of the machine gather the samples themselves.
 void GatherGradients(
   const NarrowSamples<std::uint8_t>& samples, const CellPoints<float>& points, Vectors& gradients);
 void GatherGradients(

@@ -8,7 +8,7 @@
 #define HWY_TARGET_INCLUDE "Shade/KernelsRectilinear.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Shade/KernelsDifference-inl.h"
+#include "Lattice/KernelsDifference-inl.h"
 #include "Shade/KernelsHitPoints-inl.h"
 
 #include <hwy/highway.h>

@@ -23,20 +23,20 @@ namespace GradientKernels
 void FindGridCells(const GridCoordinates& grid, const glm::dmat4& indexFromWorld,
   const HitRays& rays, CellPoints<double>& found);
 
-/// The samples around the cells of a tile's points: what the gradients at the corners of these
-/// cells are made of.
+/// The samples around the cells of a tile's points, from which the gradients at the cells' corners
+/// are computed.
 struct GridCells
 {
-  /// Along each axis: the samples before the cell, on its two faces and behind it; of the four
-  /// edges along that axis, [first other axis + 2 second other axis].
+  /// [axis][sample along the axis][edge along the axis]. Sample 0 lies before the cell, 1 and 2 on
+  /// its faces, 3 behind the cell. Edges have numbers first other axis + 2 second other axis.
   using Samples = std::array<std::array<std::array<double, 4>, 4>, 3>;
-  /// Distances between the samples that are subtracted, for the two faces across each axis.
+  /// Distances between subtracted samples, at the two faces across each axis.
   using Distances = std::array<std::array<double, 2>, 3>;
 
   std::size_t Count = 0;
   std::array<Samples, RayBatch::Capacity> Around;
   std::array<Distances, RayBatch::Capacity> Between;
-  /// How differences from the cell's isovalue are taken.
+  /// Differences from the isovalue, by cell.
   std::array<DifferenceInDouble, RayBatch::Capacity> FromIsovalue;
 };
 

@@ -14,7 +14,7 @@
 #define HWY_TARGET_INCLUDE "Shade/KernelsShading.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Shade/KernelsPower-inl.h"
+#include "Lattice/KernelsPower-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -29,8 +29,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// The squares of shorter vectors may underflow.
 constexpr double TooShortToSquare = 1e-140;
 
-/// Gradients between these lengths are not scaled: what a matrix of numbers of about 1 makes of
-/// them can be squared.
+/// Gradients between these lengths are not scaled: after multiplication by a matrix of numbers of
+/// about 1, they can be squared.
 constexpr double ShortEnough = 1e-100, LongEnough = 1e100;
 
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
@@ -182,7 +182,7 @@ void FacingNormalsOf(const HitRays& rays, const glm::dmat3& m, const HitRays::Ve
   }
 }
 
-/// What of a light from one direction a surface reflects, matt and mirrored.
+/// Shares of a directional light that a surface reflects: diffuse and specular.
 struct Reflection
 {
   hn::Vec<Floats> Cosine, Shine;

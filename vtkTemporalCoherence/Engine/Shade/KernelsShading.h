@@ -26,7 +26,7 @@ using Array = RayBatch::Array<T>;
 /// \param x, y normalised device coordinates
 void FindRays(const View& view, const Array<double>& x, const Array<double>& y, HitRays& rays);
 
-/// Copy the distances of a whole tile. The first finite one stands for those that are not finite.
+/// Copy the distances of a whole tile. The first finite distance replaces infinite ones.
 /// \return one bit for each finite distance
 std::uint64_t TakeFinite(const Array<double>& distances, Array<double>& finite);
 
@@ -46,7 +46,7 @@ struct PhongSums
   // One light:
   bool IsPositional = false;
   std::array<float, 3> Toward;         ///< unit vector to a light that is not positional
-  std::array<Array<float>, 3> ToLight; ///< unit vectors to a positional one
+  std::array<Array<float>, 3> ToLight; ///< unit vectors to a positional light
   Array<float> Share;                  ///< share of its light that arrives
   std::array<float, 3> Diffuse, Specular;
   double Power = 1.0;
@@ -56,7 +56,7 @@ void AddLight(const HitRays& rays, PhongSums& sums);
 /// One light that is not positional, on surfaces of one colour.
 struct SimpleLight
 {
-  std::array<float, 3> Color, Ambient; ///< of the surface; and what it shows without the light
+  std::array<float, 3> Color, Ambient; ///< of the surface; and its ambient part
   std::array<float, 3> Toward;         ///< unit vector to the light
   std::array<float, 3> Diffuse, Specular;
   double Power;
@@ -72,14 +72,14 @@ struct CompositedPixels
 {
   std::array<Array<float>, 3> Sum; ///< of their colours
   Array<float> Passed;             ///< share of light from behind that passes the surfaces
-  std::uint64_t Passing;           ///< one bit for each pixel where any does
-  Array<LayerColor> Colors;        ///< the same with opacity, where surfaces were composited
+  std::uint64_t Passing;           ///< one bit for each pixel with Passed > 0
+  Array<LayerColor> Colors;        ///< colours with opacity, where surfaces were composited
 };
 
-/// At most one surface of each pixel of a tile.
+/// Surfaces of a tile's pixels, each pixel at most once.
 struct LayerRound
 {
-  std::uint64_t Which = 0; ///< one bit for each pixel that has one; all others have an alpha of 0
+  std::uint64_t Which = 0; ///< one bit for each pixel with a surface; others have an alpha of 0
   std::array<Array<float>, 3> Color{};
   Array<float> Alpha{};
 };

@@ -3,9 +3,9 @@
 #ifndef TemporalCoherence_LatticeFaces_h
 #define TemporalCoherence_LatticeFaces_h
 
-#include "Acceleration/HiddenCells.h"
 #include "Scene/CapPoint.h"
 #include "Scene/Field.h"
+#include "Scene/HiddenCells.h"
 
 #include <glm/glm.hpp>
 
@@ -14,7 +14,7 @@
 namespace TemporalCoherence
 {
 
-/// FieldKind::FaceNormal for cells between axis-aligned planes.
+/// FieldNormals::FaceNormal for cells between axis-aligned planes.
 /// \param planes has Nearest(axis, x): the plane nearest to a coordinate; At(axis, plane): its
 ///               coordinate; and CellOf(axis, x): the cell that holds a coordinate, or the nearest
 ///               one

@@ -24,7 +24,7 @@ struct ShadedLayer
   float Alpha;
 };
 
-/// Surfaces that are composited together: those of each pixel from front to back.
+/// Surfaces that are composited together, from front to back within each pixel.
 struct LayerList
 {
   std::size_t Count = 0;
@@ -42,7 +42,7 @@ struct LayerList
 };
 
 /// The pixels of a tile while layers are composited, from front to back with the "over" operator.
-/// A pixel's place is that of its ray: row by row.
+/// Pixels have the places of their rays: row by row.
 class LayerCanvas
 {
 public:
@@ -62,15 +62,15 @@ public:
 
   std::size_t PlaceOf(std::int32_t pixel) const { return this->Places.Find(pixel); }
 
-  /// Composite surfaces behind the present ones. Each gets the colour of its pixel if no further
-  /// surface follows. The first visible surface of a pixel is written to the planes.
-  /// \return one bit for each surface: light reaches it. Others are left out
+  /// Composite surfaces behind the present ones. Each hit gets the colour of its pixel, composited
+  /// up to this surface. The first visible surface of a pixel is written to the planes.
+  /// \return one bit for each surface that light reaches; other surfaces are left out
   std::uint64_t Add(const LayerList& layers)
   {
     std::uint64_t reached = 0;
     for (std::size_t begin = 0, end = 0; begin < layers.Count; begin = end)
     {
-      // As many as follow each other with at most one of each pixel.
+      // The longest run that contains each pixel at most once.
       for (; end < layers.Count && (this->Round.Which >> layers.Place[end] & 1u) == 0; ++end)
       {
         if (this->Pixels.Passed[layers.Place[end]] > 0.0f)

@@ -34,7 +34,7 @@ struct PixelCentres
     }
   }
 
-  /// Append a surface to those that are shaded next. \param place of its pixel
+  /// Append a surface to the next batch. \param place of its pixel
   void Append(const LayerHit& hit, std::size_t place, HitList& hits) const
   {
     const std::size_t at = hits.Rays.Count++;
@@ -50,7 +50,7 @@ struct PixelCentres
   RayBatch::Array<double> X, Y;
 };
 
-/// Shades layers: tells their colours, normals and opacities.
+/// Shades layers: finds their colours, normals and opacities.
 class LayerShader
 {
 public:
@@ -61,16 +61,15 @@ public:
   {
   }
 
-  /// Take some of the layers that were found, in the order in which they were found: so those in
-  /// one cell lie together.
+  /// Take found layers in the order of the search, in which layers of one cell lie together.
   /// \param centres of the tile; only read in a parallel view
-  /// \param first   number of the first one
-  /// \param hits    gets as many as fit
+  /// \param first   number of the first layer
+  /// \param hits    gets as many layers as fit
   void TakeHits(
     const TileHits& found, const PixelCentres& centres, std::size_t first, HitList& hits) const;
 
   /// Shade surfaces whose points are known.
-  /// \param shaded gets one for each
+  /// \param shaded result: one for each surface
   void Shade(HitList& hits, ShadedLayer* shaded) const;
 
 private:

@@ -28,7 +28,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Loads rows of samples as vectors, one for each sample of the row, and subtracts them. Samples
 /// may be large: differences from the isovalue are taken first. \tparam AreLimited differences are
-/// limited, as those of samples that are not finite must be
+/// limited, as samples that are not finite require
 template <typename Stored, bool AreLimited>
 struct RealRowLoader
 {
@@ -93,8 +93,8 @@ private:
   V High, Low, Limit;
 };
 
-/// The sum of 0 times numbers, which is not 0 if one of them is not finite.
-/// \param number how many there are, in whole vectors of four times their lanes
+/// The sum of 0 times numbers, which is NaN if a number is not finite.
+/// \param number of the numbers, a multiple of four vectors
 template <class D>
 HWY_INLINE hn::Vec<D> SumOfNothing(D d, const hn::TFromD<D>* numbers, std::size_t number)
 {
@@ -111,8 +111,8 @@ HWY_INLINE hn::Vec<D> SumOfNothing(D d, const hn::TFromD<D>* numbers, std::size_
   return hn::Add(hn::Add(sums[0], sums[1]), hn::Add(sums[2], sums[3]));
 }
 
-/// True if no difference of the samples around points is beyond the limit: all of them are finite,
-/// and so small that their differences are rounded as the limit is.
+/// True if no difference of the samples around points exceeds the limit: all samples are finite,
+/// and limits are so small that differences are rounded as the limit is.
 template <typename Stored>
 HWY_INLINE bool AreWithinLimits(const RowBatch<Stored>& rows, std::size_t count)
 {

@@ -19,7 +19,7 @@ namespace
 /// between two samples into the box of the sample that the ray enters.
 constexpr double IntoNextBox = 1e-2;
 
-/// Gradients are clamped to this, so that sums of a few of them do not overflow.
+/// Limit of gradients: sums of a few gradients do not overflow.
 constexpr double LargestGradient = std::numeric_limits<double>::max() / 8.0;
 
 double Bounded(double gradient)
@@ -33,8 +33,8 @@ Difference<double> DifferenceFor(const GradientQuery& query, std::int16_t surfac
   return { isovalue, query.FiniteRange };
 }
 
-/// Finds gradients with linear interpolation: those at the corners of a cell once for all points
-/// in it.
+/// Finds gradients with linear interpolation. Corner gradients are computed once for all points in
+/// a cell.
 template <typename T>
 class InterpolatedGradients
 {
@@ -67,10 +67,10 @@ public:
   }
 
 private:
-  /// The number of a cell, and of the isovalue that differences are taken from.
+  /// The number of a cell together with an isovalue. Reads the samples around new cells.
   std::int32_t NumberOf(const glm::ivec3& place, std::int16_t surface)
   {
-    // A table of twice as many places as there may be cells: neighbours fall into different ones.
+    // A hash table with two places for each possible cell. Neighbours get different places.
     constexpr std::uint32_t mask = 2 * RayBatch::Capacity - 1;
     const glm::uvec3 p(place);
     std::uint32_t at = (p.x + 5u * p.y + 25u * p.z + 61u * static_cast<std::uint32_t>(surface));
@@ -128,8 +128,8 @@ private:
     }
   }
 
-  /// Replace samples beside a cell that are not numbers, so that differences become one-sided.
-  /// Differences may then be larger than those of finite samples.
+  /// Replace NaN samples beside a cell so that differences become one-sided. The new differences
+  /// may exceed the limit of finite samples, which is widened.
   void MakeOneSided(const glm::ivec3& cell, std::size_t number)
   {
     constexpr double most = std::numeric_limits<double>::max() / 4.0;
@@ -168,7 +168,7 @@ private:
   GradientKernels::GridCells Cells;
   std::array<glm::ivec3, RayBatch::Capacity> Cell;
   std::array<std::int16_t, RayBatch::Capacity> Surface;
-  std::array<std::int32_t, 2 * RayBatch::Capacity> Places{}; ///< of cells by hash, from 1 on
+  std::array<std::int32_t, 2 * RayBatch::Capacity> Places{}; ///< cell numbers + 1, by hash
 };
 
 /// Finds gradients with nearest interpolation.
@@ -216,7 +216,7 @@ public:
   }
 
 private:
-  /// The sample that is nearest to a point after it is moved along the ray.
+  /// The sample nearest to a point that is first moved along the ray.
   glm::ivec3 SampleAt(const glm::dvec3& point, const glm::dvec3& direction) const
   {
     glm::ivec3 cell(0);

@@ -44,7 +44,7 @@ void TakeFacesAtCaps(
       const glm::dmat4& toIndex = source.Transform.IndexFromWorld;
       const CapPoint cap{ glm::dvec3(toIndex * glm::dvec4(hits.Rays.PointAt(i), 1.0)),
         glm::dvec3(toIndex * glm::dvec4(hits.Rays.DirectionAt(i), 0.0)), hits.Cell[i] };
-      Set(gradients, i, CapNormal(cap, source.Samples, source.Planes));
+      Set(gradients, i, CapNormal(cap, source.Samples, source.Normals, source.Planes));
     }
   }
 }
@@ -179,7 +179,7 @@ bool IsLitSimply(const Appearance& appearance)
     appearance.ColorScale == 1.0 && appearance.ColorShift == 0.0;
 }
 
-/// The numbers that BeginSums and AddLight would work with.
+/// The light and the surface, with the numbers of BeginSums and AddLight.
 ShadingKernels::SimpleLight LightOf(const Appearance& appearance)
 {
   const Light& light = appearance.Lights[0];
@@ -246,7 +246,7 @@ void ComputeNormals(
     return;
   }
   std::array<Array<double>, 3> gradients;
-  IndexGradients(
+  source.Normals.FindGradients(
     { source.Samples, source.Transform.IndexFromWorld, source.FiniteRange, &source.Isovalues },
     { hits.Rays, hits.Surface, gradients, &hits.Cell, hits.Gradients, &hits.Kind });
   if (gradientsFound)

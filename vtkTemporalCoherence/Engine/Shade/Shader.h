@@ -12,6 +12,7 @@
 #include "Scene/Tiles.h"
 #include "Scene/View.h"
 #include "Shade/CapNormal.h"
+#include "Shade/FieldNormals.h"
 #include "Shade/KernelsShading.h"
 
 #include <algorithm>
@@ -22,8 +23,8 @@
 namespace TemporalCoherence
 {
 
-/// The hits of one tile in arrays. Among them may be rays without one, which are shaded as if they
-/// had a hit at the distance of another ray's, and then cleared.
+/// The hits of one tile in arrays. Rays without a hit may be among them: they are shaded at the
+/// distance of another ray's hit, and then cleared.
 struct HitList
 {
   template <typename T>
@@ -52,6 +53,7 @@ void FillLastVector(std::size_t count, RayBatch::Array<T>& array)
 struct NormalSource
 {
   Field Samples;
+  const FieldNormals& Normals;
   IndexTransform Transform;
   CapPlanes Planes; ///< where solids are capped
   std::vector<double> Isovalues;
@@ -64,7 +66,7 @@ struct NormalSource
 void GatherHits(
   const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits);
 
-/// The same for a whole tile of a perspective view, whose planes hold its hits already. Misses are
+/// Take the hits of a whole tile of a perspective view, whose planes hold them already. Misses are
 /// taken too, and not cleared. The list refers to the directions of the tile.
 void TakeHits(const View& view, const TileHits& found, HitList& hits);
 
@@ -91,8 +93,8 @@ void LoadNormals(const Frame& frame, HitList& hits);
 /// lighting is one-sided, they face outside.
 void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums);
 
-/// The same, writing the opaque colours of a frame. Pixels are yellow where the appearance asks for
-/// it.
+/// Find the colours of hits as SumLight does, and write them as opaque colours of a frame. Pixels
+/// are yellow where the appearance asks for it.
 void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame);
 
 /// Paint the hits that a cached image did not serve yellow, if the appearance asks for it.

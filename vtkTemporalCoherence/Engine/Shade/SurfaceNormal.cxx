@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/SurfaceNormal.h"
 
+#include "Lattice/CellSamples.h"
 #include "Scene/Difference.h"
 #include "Scene/Surfaces.h"
 #include "Shade/KernelsGradients.h"
-#include "Trace/CellSamples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,8 +110,8 @@ private:
     copyTwo(7, origin + y + 2 * z);
   }
 
-  /// Store the samples around any cell, one by one. Samples at the boundary are repeated beyond it,
-  /// which makes differences one-sided.
+  /// Store the samples around a cell at any place, sample by sample. Repeats samples of the
+  /// boundary beyond the boundary, which makes differences one-sided.
   static void KeepSamples(
     const TypedField<T>& samples, const glm::ivec3& cell, std::size_t i, Rows& rows)
   {
@@ -148,9 +148,9 @@ private:
   bool IsLarge;
 };
 
-/// Replace an outer sample that is not a number, so that the difference over two steps becomes
-/// twice the one over the inner step: it is one-sided. \param limit of differences; is widened, as
-/// the new sample may be far from all others
+/// Replace an outer NaN sample so that the difference over two steps is twice the inner step's
+/// difference, and so one-sided. \param limit of differences; is widened, as the new sample may
+/// exceed all others
 template <typename Stored>
 void Mirror(Stored inner, Stored next, Stored& outer, double& limit)
 {
@@ -162,7 +162,7 @@ void Mirror(Stored inner, Stored next, Stored& outer, double& limit)
   }
 }
 
-/// Make differences one-sided where a sample is not a number. Cells of hits have none.
+/// Make differences one-sided beside a NaN sample. The corners of cells with hits are never NaN.
 template <typename Rows>
 void MakeOneSided(std::size_t count, Rows& rows)
 {
@@ -185,7 +185,7 @@ void MakeOneSided(std::size_t count, Rows& rows)
     {
       for (std::size_t x = 0; x < 2; ++x)
       {
-        // Corners of the cell at this place along z, and at this place along y.
+        // Corners of the cell at z = side, and at y = side.
         const auto low = rows.Along[2 * side][i][1 + x], high = rows.Along[2 * side + 1][i][1 + x];
         const auto near = rows.Along[side][i][1 + x], far = rows.Along[2 + side][i][1 + x];
         mirror(low, high, rows.Beside[side][i][x]);

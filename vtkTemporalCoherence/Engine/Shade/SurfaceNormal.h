@@ -25,12 +25,12 @@ struct GradientQuery
   const Field& Samples; ///< not a copy: threads would wait for each other to count its pointers
   glm::dmat4 IndexFromWorld{ 1.0 };
   glm::dvec2 FiniteRange{ 0.0 }; ///< smallest and largest finite sample
-  /// Differences from the isovalues are taken, so that infinities do no harm.
+  /// Gradients are computed from differences from the isovalues: so infinities do no harm.
   const std::vector<double>* Isovalues = nullptr;
 };
 
-/// Hits of a tile, and the gradients to be found there. Rays without a hit may be among them, whose
-/// points may lie outside of the field.
+/// Hits of a tile, and their gradients. Rays without a hit may be among them, with points outside
+/// of the field.
 struct GradientTile
 {
   using Vectors = std::array<RayBatch::Array<double>, 3>; ///< by axis
@@ -38,21 +38,15 @@ struct GradientTile
   const HitRays& Rays;                           ///< at least 1, to the end of the last vector
   const RayBatch::Array<std::int16_t>& Surfaces; ///< positions in the list of isovalues
   Vectors& Gradients; ///< result: per index step, finite up to the end of the last vector
-  /// Of a mesh, that were hit, or NoCell. Null: they are not known.
+  /// Hit cells of a mesh, or NoCell. Null: unknown.
   const RayBatch::Array<CellNumber>* Cells = nullptr;
-  /// Of hits in a mesh. Null: none is known.
+  /// Known gradients of hits in a mesh. Null: none.
   const KnownGradients* Known = nullptr;
-  /// Surfaces have their isovalue, caps do not. Null: it is not known which these are.
+  /// Surfaces have their isovalue, caps do not. Null: unknown kinds.
   const RayBatch::Array<HitKind>* Kinds = nullptr;
 };
 
-/// Find the gradients of a field of any kind.
-inline void IndexGradients(const GradientQuery& query, const GradientTile& tile)
-{
-  query.Samples.Kind->FindGradients(query, tile);
-}
-
-/// The same for a uniform field.
+/// Find the gradients of a uniform field.
 void UniformGradients(const GradientQuery& query, const GradientTile& tile);
 
 }

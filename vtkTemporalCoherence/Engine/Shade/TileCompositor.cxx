@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/TileCompositor.h"
 
-#include "Layers/RecoloredLayers.h"
-#include "Trace/RayPieces.h"
+#include "Lattice/RayPieces.h"
+#include "Shade/RecoloredLayers.h"
 
 #include <algorithm>
 
@@ -33,7 +33,7 @@ void CountLayers(
   counts.MergedLayers += kept.Total() - static_cast<std::int64_t>(layers.size());
 }
 
-/// The pixels of the first of some layers that are kept round by round.
+/// Find the pixels of the first round of kept layers.
 void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
 {
   std::size_t& count = hits.Rays.Count;
@@ -49,13 +49,13 @@ void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
 
 }
 
-TileCompositor::TileCompositor(
-  const FrameKey& key, const NormalSource& source, const LeapedSpace& space)
+TileCompositor::TileCompositor(const FrameKey& key, const NormalSource& source,
+  std::shared_ptr<const SurfaceTracer> tracer, const TileBounds* bounds)
   : Key(key)
   , Shader(key, source)
-  , Bounds(space.Active ? space.Bounds : nullptr)
+  , Bounds(bounds)
   , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
-  , Tracer(SurfaceTracer::Make({ key.Samples, key.Isosurfaces, source.FiniteRange, space.Active }))
+  , Tracer(std::move(tracer))
   , Alphas(AlphasOf(key.Isosurfaces))
 {
 }
@@ -134,8 +134,8 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
   this->Paint(layers, frame);
 }
 
-/// Shade and composite the layers that were found, and find and add those behind them, until the
-/// pixels are opaque.
+/// Shade and composite the found layers, then find and add the layers behind them, until the pixels
+/// are opaque.
 /// \param kept takes the layers
 template <typename Keeper>
 void TileCompositor::AddAll(TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
@@ -169,7 +169,7 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part,
     const auto setLast = [&](LayerBatch& next)
     {
       known.ForEach([&](const LayerHit& hit)
-        { next.SetLast(canvas.PlaceOf(hit.Pixel), hit); }); // the last one in the end
+        { next.SetLast(canvas.PlaceOf(hit.Pixel), hit); }); // the last layer wins
     };
     this->AddUnknown(open, setLast, tile, part, centres, canvas, kept, counts);
   }
@@ -188,8 +188,8 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part,
   this->Paint(layers, frame);
 }
 
-/// Shade known layers and composite them behind the present ones, and keep them. Those that no
-/// light reaches are kept elsewhere.
+/// Shade known layers, composite them behind the present ones, and keep them. Layers that no light
+/// reaches go to `behind`.
 void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCentres& centres,
   LayerCanvas& canvas, LimitedLayers& kept, std::vector<LayerHit>& behind) const
 {
@@ -220,7 +220,7 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
       FindHitRays(this->Key.View, hits);
       this->Shader.Shade(hits, shaded.data());
     }
-    // Some may have made pixels opaque, and be in front of others.
+    // A layer of the list may make its pixel opaque, and hide later layers.
     const std::uint64_t reached = canvas.Add(list);
     for (std::size_t i = 0; i < list.Count; ++i)
     {
@@ -236,8 +236,8 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
   }
 }
 
-/// Find the layers behind all known ones along some rays, one bit each, and add them.
-/// \param setLast tells the last known layers of these rays
+/// Find and add the layers behind all known layers, along the rays in `open`.
+/// \param setLast sets the last known layers of these rays
 /// \param kept    takes the layers
 template <typename Keeper, typename SetLast>
 void TileCompositor::AddUnknown(std::uint64_t open, const SetLast& setLast, std::int64_t tile,
@@ -270,7 +270,7 @@ void TileCompositor::AddLayers(
     this->Shader.TakeHits(found, centres, first, hits);
     this->Shader.Shade(hits, shaded.data() + first);
   }
-  // The rays of a round are those with as many layers whose light is not used up.
+  // A round contains the rays that have a further layer, and let light pass.
   const auto count = static_cast<std::size_t>(found.Rays.Count);
   std::array<std::uint64_t, LayerBatch::MostLayers + 1> ends{}; // one bit for each ray
   for (std::size_t ray = 0; ray < count; ++ray)
@@ -287,7 +287,8 @@ void TileCompositor::AddLayers(
       {
         const std::size_t at = layers.Place[round][ray];
         LayerHit& hit = hits[list.Count];
-        // One by one: a copy of what was just put together waits for all of its stores.
+        // Store members one by one: copying a struct right after its construction waits for all
+        // stores.
         hit.Depth = layers.Distance[at];
         hit.Pixel = found.Rays.Pixel[ray];
         hit.Isovalue = layers.Surface[at];
@@ -316,7 +317,7 @@ void TileCompositor::CompositeAgain(
   centres.Find(this->Key.View, part);
   LayerCanvas canvas(part, frame);
   const std::uint64_t merged = frame.Behind[static_cast<std::size_t>(tile)].Merged;
-  std::uint64_t begun = 0; // pixels with merged layers, of which the first one is done
+  std::uint64_t begun = 0; // pixels with merged layers whose first layer is done
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
   for (std::size_t next = 0; next < layers.size();)
   {
@@ -351,7 +352,7 @@ void TileCompositor::CompositeAgain(
   this->Paint(layers, frame);
 }
 
-/// Find the layers behind the first one of pixels with merged layers again, and composite them.
+/// For pixels with merged layers, find the layers behind the first layer again, and composite them.
 void TileCompositor::RecolorMerged(std::uint64_t merged, std::int64_t tile, const PixelRect& part,
   const PixelCentres& centres, LayerCanvas& canvas, Frame& frame, TraceCounts& counts) const
 {

@@ -3,18 +3,17 @@
 #ifndef TemporalCoherence_TileCompositor_h
 #define TemporalCoherence_TileCompositor_h
 
-#include "Acceleration/ActiveCells.h"
 #include "Acceleration/TileBounds.h"
-#include "Layers/KnownLayers.h"
-#include "Layers/LimitedLayers.h"
+#include "Lattice/RaySource.h"
+#include "Lattice/SurfaceTracer.h"
 #include "Scene/Frame.h"
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/LayerBatch.h"
+#include "Shade/KnownLayers.h"
 #include "Shade/LayerShader.h"
+#include "Shade/LimitedLayers.h"
 #include "Shade/Shader.h"
-#include "Trace/RaySource.h"
-#include "Trace/SurfaceTracer.h"
 
 #include <cstdint>
 #include <memory>
@@ -23,13 +22,6 @@
 namespace TemporalCoherence
 {
 
-/// The structures for space leaping.
-struct LeapedSpace
-{
-  const ActiveCells* Active = nullptr; ///< of a frame's isovalues; null: no leaping
-  const TileBounds* Bounds = nullptr;  ///< of Active
-};
-
 /// Colours tiles with translucent surfaces. It starts from the first hits, whatever route found
 /// them, finds and shades layer after layer, and composites them from front to back with the "over"
 /// operator, until the pixels are opaque.
@@ -37,18 +29,21 @@ class TileCompositor
 {
 public:
   /// The arguments must outlive it.
+  /// \param tracer finds the layers behind the first ones
+  /// \param bounds of the active cells that the tracer leaps between; null: no space leaping
   /// \throws std::bad_alloc
-  TileCompositor(const FrameKey& key, const NormalSource& source, const LeapedSpace& space);
+  TileCompositor(const FrameKey& key, const NormalSource& source,
+    std::shared_ptr<const SurfaceTracer> tracer, const TileBounds* bounds);
 
   /// Find and colour the layers behind the first hits of `part`, which is tile number `tile`. The
   /// planes then hold the first visible surface. Thread-safe.
-  /// \param found its rays and first layers, which are used up; null, or without layers: the planes
-  ///              tell the first hits
+  /// \param found its rays and first layers, which are used up; null, or without layers: takes the
+  ///              first hits from the planes
   void Composite(std::int64_t tile, const PixelRect& part, TileHits* found, Frame& frame,
     TraceCounts& counts) const;
 
-  /// The same where layers are known: composite them, and find those behind them where light
-  /// passes. The planes need not hold anything before.
+  /// Composite known layers, and find the layers behind them where light passes. The planes need
+  /// not hold anything before.
   /// \throws std::bad_alloc
   void CompositeKnown(std::int64_t tile, const PixelRect& part, const KnownLayers& known,
     Frame& frame, TraceCounts& counts) const;

@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/TileShader.h"
 
-#include "Layers/LimitedLayers.h"
 #include "Scene/Timers.h"
+#include "Shade/LimitedLayers.h"
 
 namespace TemporalCoherence
 {
 
-TileShader::TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
-  HitSet normalsOf, HitSet colorsOf)
-  : Key(key)
-  , Source{ key.Samples, key.Transform,
-    CapPlanes(RegionClipper(key.Region, key.Transform).Planes(), key.Transform, key.View),
-    key.Isosurfaces.Isovalues, finiteRange }
+TileShader::TileShader(const ShadeScene& scene, HitSet normalsOf, HitSet colorsOf)
+  : Key(scene.Key)
+  , Source{ scene.Key.Samples, scene.Normals, scene.Key.Transform,
+    CapPlanes(RegionClipper(scene.Key.Region, scene.Key.Transform).Planes(), scene.Key.Transform,
+      scene.Key.View),
+    scene.Key.Isosurfaces.Isovalues, scene.FiniteRange }
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)
 {
-  if (key.Isosurfaces.IsTranslucent())
+  if (scene.Tracer)
   {
-    this->Compositor = std::make_unique<TileCompositor>(key, this->Source, space);
+    this->Compositor =
+      std::make_unique<TileCompositor>(scene.Key, this->Source, scene.Tracer, scene.Bounds);
   }
 }
 

@@ -23,26 +23,32 @@ enum class HitSet : std::uint8_t
   All
 };
 
+/// Input for shading tiles. It must outlive the shader.
+struct ShadeScene
+{
+  const FrameKey& Key;
+  const FieldNormals& Normals;                 ///< of the key's field
+  glm::dvec2 FiniteRange{ 0.0 };               ///< smallest and largest finite sample
+  std::shared_ptr<const SurfaceTracer> Tracer; ///< of translucent surfaces; else null
+  const TileBounds* Bounds =
+    nullptr; ///< of the active cells that the tracer leaps between; or null
+};
+
 /// Shades tiles: normals and colours of hits and, if surfaces are translucent, of the layers
 /// behind.
 class TileShader
 {
 public:
-  /// The key must outlive the shader.
-  /// \param finiteRange smallest and largest finite sample
-  /// \param space       for the search of translucent layers
   /// \throws std::bad_alloc
-  TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
-    HitSet normalsOf, HitSet colorsOf);
+  TileShader(const ShadeScene& scene, HitSet normalsOf, HitSet colorsOf);
 
   /// Shade `part`, which is tile number `tile`. Thread-safe.
-  /// \param found its rays and hits, if they are at hand; null: the planes tell them. Layers are
-  ///              used up
+  /// \param found its rays and hits; null: takes them from the planes. Layers are used up
   void Shade(std::int64_t tile, const PixelRect& part, TileHits* found, Frame& frame,
     TraceCounts& counts) const;
 
-  /// Make and shade a tile from the last frame, from which only opacities and the appearance
-  /// differ. Thread-safe. \throws std::bad_alloc
+  /// Make and shade a tile from the last frame, which differs only in opacities and the appearance.
+  /// Thread-safe. \throws std::bad_alloc
   void ShadeKnown(std::int64_t tile, const PixelRect& part, const Frame& last, Frame& frame,
     TraceCounts& counts) const;
 

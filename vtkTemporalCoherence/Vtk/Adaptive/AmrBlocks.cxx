@@ -19,10 +19,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Lattices may be off by this part of a cell.
+/// Largest offset of a lattice that still fits, in cells.
 constexpr double LargestOffset = 1e-3;
 
-/// Beyond, cells of the finest lattice could not be numbered.
+/// Limit of the finest lattice along an axis: more cells could not be numbered.
 constexpr double MostCellsAlong = 1e15;
 
 std::string NumberText(double number)
@@ -116,13 +116,13 @@ bool FindBlocks(AdaptiveGrid* amr, const ScalarChoice& choice, AmrBlocks& found,
   return !found.Blocks.empty();
 }
 
-/// A number is whole, but for rounding.
+/// True if a number is whole within a tolerance.
 bool IsWhole(double number, double tolerance)
 {
   return std::abs(number - std::round(number)) <= tolerance && std::abs(number) < MostCellsAlong;
 }
 
-/// Each level's cells are divided into whole cells of the next one.
+/// Set the ratios of levels. Each level's cells must divide into whole cells of the next one.
 bool FitLevels(AmrBlocks& found, std::string& error)
 {
   for (std::size_t l = found.Levels.size() - 1; l-- > 0;)
@@ -146,8 +146,8 @@ bool FitLevels(AmrBlocks& found, std::string& error)
   return true;
 }
 
-/// The cells of a block without layers of copies of others' cells, which readers of distributed
-/// data put around blocks: they would hide the coarser cells that they lie in, and may be older.
+/// The cells of a block without its outer layers that copy other blocks. Readers of distributed
+/// data add such layers, which would hide the coarser cells around them, and may be out of date.
 AmrBox WithoutCopies(const AmrBlock& block)
 {
   if (!block.Ghosts)

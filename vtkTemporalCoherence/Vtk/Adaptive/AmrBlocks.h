@@ -46,15 +46,15 @@ struct AmrBlock
   vtkDataArray* Array = nullptr; ///< a tuple for each cell
   std::size_t Level = 0;
   AmrBox Stored;                        ///< cells in its arrays, on the lattice of the level
-  AmrBox Cells;                         ///< those without layers of copies of others' cells
+  AmrBox Cells;                         ///< without outer layers that copy other blocks
   AmrBox Finest;                        ///< Cells, on the finest lattice
   std::string Name;                     ///< for messages
   const std::uint8_t* Ghosts = nullptr; ///< flags of each stored cell; null: there are none
 
-  /// Where a cell is among Cells.
+  /// Number of a cell among Cells.
   std::int64_t NumberOf(const glm::i64vec3& cell) const { return PlaceIn(this->Cells, cell); }
 
-  /// Where a cell is in arrays.
+  /// Index of a cell in the arrays.
   std::int64_t IndexOf(const glm::i64vec3& cell) const { return PlaceIn(this->Stored, cell); }
 
 private:
@@ -77,16 +77,15 @@ struct AmrLevel
 struct AmrBlocks
 {
   glm::dvec3 Origin;
-  std::vector<AmrLevel> Levels; ///< those with blocks, the finest one last
-  std::vector<AmrBlock> Blocks; ///< the finest level first; those of a level as in the data set
+  std::vector<AmrLevel> Levels; ///< levels with blocks, the finest one last
+  std::vector<AmrBlock> Blocks; ///< the finest level first; within a level as in the data set
 
-  /// For each block: the blocks that have cells in it or next to it, except itself, in the same
-  /// order.
+  /// For each block: other blocks with cells inside or next to it, ascending.
   std::vector<std::vector<std::size_t>> Neighbours;
 };
 
 /// Find the blocks with data, their lattices and their neighbours.
-/// \param error gets what is wrong and what to do about it
+/// \param error receives the mistake and its remedy
 /// \return false on error
 /// \throws std::bad_alloc
 bool FindAmrBlocks(

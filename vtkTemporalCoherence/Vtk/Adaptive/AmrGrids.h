@@ -29,7 +29,7 @@ inline unsigned int CountBlocks(AdaptiveGrid* amr, unsigned int level)
 #endif
 }
 
-/// The grid of a block; null if it is not here or has no points.
+/// The grid of a block; null without a grid or without points.
 inline vtkImageData* GridOf(AdaptiveGrid* amr, unsigned int level, unsigned int block)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)

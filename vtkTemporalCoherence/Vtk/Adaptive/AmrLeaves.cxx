@@ -18,8 +18,7 @@ bool HasFlag(const AmrBlock& block, const glm::i64vec3& cell, int flag)
   return block.Ghosts && (block.Ghosts[block.IndexOf(cell)] & flag) != 0;
 }
 
-/// Do something with each cell of a block in a box of the finest lattice, also with those that are
-/// only partly in it.
+/// Call action(cell) for each cell of a block that overlaps a box of the finest lattice.
 template <typename Action>
 void ForCellsIn(
   const AmrBlocks& blocks, const AmrBlock& block, const AmrBox& finest, const Action& action)

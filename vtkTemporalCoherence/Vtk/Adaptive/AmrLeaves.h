@@ -12,12 +12,12 @@
 namespace TemporalCoherence
 {
 
-/// The leaves of an adaptive grid, numbered: the cells that are not refined, not hidden, and not
-/// already in an earlier block. They do not overlap.
+/// Numbers the leaves of an adaptive grid. A leaf is a cell that is neither refined nor hidden, and
+/// that no earlier block covers. Leaves do not overlap.
 class AmrLeaves
 {
 public:
-  /// \return false if there are too many to be numbered
+  /// \return false if there are more leaves than numbers
   /// \throws std::bad_alloc
   bool Find(const AmrBlocks& blocks);
 

@@ -4,7 +4,7 @@
 
 #include "Adaptive/AmrLeaves.h"
 #include "Adaptive/LeafSearch.h"
-#include "Mesh/MeshCell.h"
+#include "Mesh/Cells/MeshCell.h"
 #include "Shapes/MadeCells.h"
 #include "Shapes/PointReader.h"
 
@@ -19,7 +19,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Cells or vertices of a block at one height: what one thread does in one go.
+/// Cells or vertices of a block at one height: the work of one task.
 struct Slice
 {
   std::size_t Block;
@@ -53,7 +53,7 @@ void InParallel(const std::vector<Slice>& slices, const Action& action)
     });
 }
 
-/// A point for each leaf.
+/// Make a point for each leaf.
 void MakePoints(
   const AmrBlocks& blocks, const AmrLeaves& leaves, int component, std::vector<PointValue>& points)
 {
@@ -81,7 +81,7 @@ void MakePoints(
     });
 }
 
-/// Call something with the corners of each hexahedron around a vertex of a slice.
+/// Call action(corners) for each hexahedron around a vertex of a slice.
 template <typename Action>
 void ForHexahedra(
   const AmrBlocks& blocks, const AmrLeaves& leaves, const Slice& slice, const Action& action)
@@ -118,8 +118,8 @@ void ForHexahedra(
   }
 }
 
-/// The hexahedra, in the order of the slices.
-/// \return false if there are too many, also for the budget
+/// Make the hexahedra, in the order of the slices.
+/// \return false if there are too many, or too many for the budget
 bool MakeHexahedra(
   const AmrBlocks& blocks, const AmrLeaves& leaves, MakingBudget& budget, MadeCells& made)
 {
@@ -136,7 +136,7 @@ bool MakeHexahedra(
   for (std::int64_t& ofSlice : counts)
   {
     total += ofSlice;
-    ofSlice = total - ofSlice; // the number of its first one
+    ofSlice = total - ofSlice; // the number of its first hexahedron
   }
   const std::size_t bytes = static_cast<std::size_t>(9 * total) * sizeof(std::int32_t) +
     static_cast<std::size_t>(leaves.Count()) * sizeof(PointValue);
@@ -166,7 +166,7 @@ bool MakeHexahedra(
   return true;
 }
 
-/// Of a number for each cell.
+/// Bytes of one number for each cell.
 std::size_t MemoryOfNumbers(const AmrBlocks& blocks)
 {
   std::size_t cells = 0;

@@ -5,7 +5,7 @@
 
 #include "Adaptive/AmrGrids.h"
 #include "Input/ScalarChoice.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Cells/Mesh.h"
 #include "Shapes/MadeCells.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -22,7 +22,7 @@ namespace TemporalCoherence
 /// lattice (MergedBlocks).
 bool HasOneLevel(AdaptiveGrid* amr);
 
-/// The blocks of all levels. They are the same objects, not copies.
+/// The blocks of all levels: the grids themselves, not copies.
 vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(AdaptiveGrid* amr);
 
 /// Make hexahedra between the values of cells of an adaptive grid, which lie at the centres of the
@@ -30,13 +30,13 @@ vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(AdaptiveGrid* amr);
 ///
 /// For each vertex of the cells that are not refined, the cells in the eight octants around it make
 /// a hexahedron; a cell that fills several octants is repeated. So hexahedra share faces also
-/// between levels, and no value is resampled. There is none if an octant has no cell, or a hidden
-/// one.
+/// between levels, and no value is resampled. Vertices with an octant that lacks a visible cell get
+/// no hexahedron.
 ///
 /// \param component negative: the length of vectors
 /// \param parts gets one more part
-/// \param error gets what is wrong and what to do about it; empty if the budget does not do, or if
-///              it was stopped
+/// \param error receives the mistake and its remedy; empty if the budget is too small, or if it was
+///              stopped
 /// \return false on error
 /// \throws std::bad_alloc
 bool AppendAmrMesh(AdaptiveGrid* amr, const ScalarChoice& choice, int component,

@@ -10,7 +10,8 @@ namespace TemporalCoherence
 
 std::vector<std::vector<std::size_t>> NeighboursOf(const std::vector<AmrBlock>& blocks)
 {
-  // By their begins along x, a block only has to look at those that begin before it ends.
+  // Sorted by their begins along x, blocks need no comparison with blocks that begin behind their
+  // end.
   const std::size_t count = blocks.size();
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t(0));

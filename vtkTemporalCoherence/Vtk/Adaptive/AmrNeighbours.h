@@ -11,7 +11,8 @@
 namespace TemporalCoherence
 {
 
-/// For each block, those whose boxes on the finest lattice touch or overlap its own, in order.
+/// For each block, the blocks whose boxes on the finest lattice touch or overlap its own,
+/// ascending.
 /// \throws std::bad_alloc
 std::vector<std::vector<std::size_t>> NeighboursOf(const std::vector<AmrBlock>& blocks);
 

@@ -30,7 +30,7 @@ AmrLeaf LeafSearch::LeafIn(std::size_t number, const glm::i64vec3& finest) const
 
 AmrLeaf LeafSearch::FindLeaf(const glm::i64vec3& finest, std::size_t& last) const
 {
-  // As leaves do not overlap, the first one found is the only one.
+  // Leaves do not overlap, so the first match ends the search.
   AmrLeaf leaf = this->LeafIn(last, finest);
   if (leaf.Number < 0 && last != this->Block)
   {

@@ -25,9 +25,9 @@ class LeafSearch
 public:
   LeafSearch(const AmrBlocks& blocks, const AmrLeaves& leaves, std::size_t block);
 
-  /// The leaves that fill the eight octants around a vertex of the block's level; the one towards
-  /// (x, y, z) at x + 2 y + 4 z.
-  /// \return false if an octant has none, or one of a block before this one
+  /// Find the leaves in the eight octants around a vertex of the block's level. The leaf towards
+  /// (x, y, z) has the position x + 2 y + 4 z.
+  /// \return false if an octant has no leaf, or the leaf of an earlier block
   bool FindAround(const glm::i64vec3& vertex, std::array<std::int32_t, 8>& numbers);
 
 private:

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/MapperFrames.h"
 
-#include "Blending/BlendTracer.h"
 #include "Frames/SelectionPass.h"
 #include "Output/BufferImages.h"
 #include "Output/PointsFromFrame.h"
 #include "Scene/Timers.h"
+#include "Volumes/Medium/BlendTracer.h"
 
 #include <vtkRenderer.h>
 
@@ -28,7 +28,7 @@ std::string TextOf(const glm::ivec3& size)
   return TextOf(glm::ivec2(size)) + " x " + std::to_string(size.z);
 }
 
-/// What is told never falls back, though a band of an isomap that turns out too costly is begun
+/// Report progress that never falls, even if a band of an isomap proves too costly and is begun
 /// again, narrower.
 ReportProgress Rising(const ReportProgress& report, double& farthest)
 {
@@ -41,36 +41,7 @@ ReportProgress Rising(const ReportProgress& report, double& farthest)
 
 }
 
-namespace
-{
-
-/// The error message for a volume whose kind of field has no tracer for how it is blended.
-std::string WhyNotBlended(const FrameKey& key)
-{
-  const Blending& volume = key.Volume;
-  if (!volume.Others.empty())
-  {
-    return "The " + std::to_string(volume.Others.size() + 1) +
-      " components of the array cannot be blended in this blend mode; draw one with "
-      "SetVectorModeToComponent(), or call SetBlendModeToMaximumIntensity().";
-  }
-  if (volume.SampleDistance > 0.0)
-  {
-    return "This input cannot be blended with a distance between samples; call "
-           "SetSampleDistance(0), which converges.";
-  }
-  if (key.Samples.Between == Interpolation::Nearest)
-  {
-    return "This input cannot be blended with nearest interpolation in this blend mode; call "
-           "SetInterpolationTypeToLinear() of the volume's property.";
-  }
-  return "This input can only be drawn by isosurfaces in this blend mode; call "
-         "SetBlendModeToIsoSurface(), or resample it with vtkResampleToImage.";
-}
-
-}
-
-// Where memory ends is a bad_alloc, or a length_error where a size has no number.
+// Lack of memory throws bad_alloc, or length_error if a size exceeds its type.
 
 bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
   const FrameRenderer::Options& options, const ReportProgress& report, std::string& error)
@@ -94,11 +65,6 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
     this->Last = this->Mapped = state;
     tell(1.0);
     return true;
-  }
-  catch (const NoBlendTracer&)
-  {
-    error = WhyNotBlended(request.Key);
-    return false;
   }
   catch (const std::exception&)
   {

@@ -26,19 +26,19 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The frames of a mapper: made for one viewer or the other, kept, shown and read. Where memory
-/// runs out is told as an error; nothing is thrown.
+/// Makes, keeps, shows and reads the frames of a mapper for all of its viewers. Lack of memory is
+/// an error message, never an exception.
 class MapperFrames
 {
 public:
-  /// Make a frame, which is the last one from then on.
-  /// \param report told how far the frame is, never less than before; it may stop it
-  /// \param error  gets what is wrong and what to do about it; empty if the report stopped it
-  /// \return false if it is not made, the last frame then being as it was
+  /// Make a frame. It becomes the last frame.
+  /// \param report called with the progress, which never falls; may stop the frame
+  /// \param error  receives the mistake and its remedy; empty if the report stopped it
+  /// \return false if no frame is made; the last frame is then unchanged
   bool Render(const Viewer& viewer, const FrameRequest& request,
     const FrameRenderer::Options& options, const ReportProgress& report, std::string& error);
 
-  /// Tell of how many pixels of a window, along each axis, the last frame is the picture.
+  /// Set the number of window pixels that the last frame fills along each axis.
   void SetPictureSize(const glm::ivec2& size) { this->Last->PictureSize = size; }
 
   /// Build the isomap that a frame needs. The last frame stays.
@@ -49,8 +49,8 @@ public:
   /// Show the last frame of a renderer's viewer, if it has this size, in its window or to its
   /// selector.
   /// \param size in pixels of the window
-  /// \param data where the selector's points and cells are; or null
-  /// \param error gets what is wrong and what to do about it
+  /// \param data the points and cells for the selector; or null
+  /// \param error receives the mistake and its remedy
   void Present(vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& size, vtkDataSet* data,
     std::string& error);
 
@@ -68,11 +68,10 @@ public:
   /// \return false if there is none, or on error
   bool WriteSurface(vtkPolyData* points, std::string& error) const;
 
-  /// What a pixel of the last frame shows, in pixels of the window.
+  /// The hit that the last frame shows at a pixel of the window.
   std::optional<PixelHit> FindHit(int x, int y) const;
 
-  /// The cell of the data in which a pixel of the last frame shows a surface; none unless the data
-  /// are a mesh.
+  /// The cell whose surface the last frame shows at a pixel; none unless the data are a mesh.
   CellOrigin FindCell(int x, int y) const;
 
   /// The first surface on a line in the world; see LineTracer.h.
@@ -92,21 +91,21 @@ public:
   /// The samples of the last frame, with their hidden cells.
   const Field& LastSamples() const { return this->Last->Engine.LastKey().Samples; }
 
-  /// Of the samples of the last frame; not defined where it has no cells or no isovalues.
+  /// Value ranges of the last frame; undefined without cells or isovalues.
   const ValueRangePyramid& LastRanges() const { return this->Last->Engine.LastRanges(); }
 
-  /// Of the last frame.
+  /// Statistics of the last frame.
   const FrameStatistics& Statistics() const { return this->Last->Engine.Statistics(); }
 
-  /// Of the viewer that was asked last for a frame or an isomap.
+  /// The isomap of the viewer that last requested a frame or an isomap.
   const Isomap& LastIsomap() const { return this->Mapped->Engine.IsomapOfLastView(); }
   bool IsIsomapTooLarge() const { return this->Mapped->Engine.IsIsomapTooLarge(); }
   double IsomapBuildTime() const { return this->Mapped->Engine.IsomapBuildTime(); }
 
-  /// Seconds that the last frame took to be shown.
+  /// Seconds for showing the last frame.
   double PresentTime() const { return this->SecondsToPresent; }
 
-  /// A frame is begun, which may turn out not to be made.
+  /// Reset PresentTime() when a frame begins.
   void ResetPresentTime() { this->SecondsToPresent = 0.0; }
 
   /// Forget all frames and free their memory.
@@ -116,7 +115,7 @@ public:
     this->Last = this->Mapped = this->Viewers.MakeState();
   }
 
-  /// Free what is held in the context of a window; in any, if it is null.
+  /// Free resources in the context of a window; in any context if it is null.
   void ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Viewers.ReleaseGraphicsResources(window);
@@ -124,8 +123,8 @@ public:
 
 private:
   ViewerStates Viewers;
-  std::shared_ptr<ViewerState> Last = Viewers.MakeState(); ///< made a frame
-  std::shared_ptr<ViewerState> Mapped = Last;              ///< asked for an isomap or a frame
+  std::shared_ptr<ViewerState> Last = Viewers.MakeState(); ///< of the last frame
+  std::shared_ptr<ViewerState> Mapped = Last; ///< of the last request for an isomap or a frame
   double SecondsToPresent = 0.0;
 };
 

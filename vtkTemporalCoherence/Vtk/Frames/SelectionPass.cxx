@@ -61,10 +61,10 @@ vtkIdType NumberAt(vtkDataSet* data, glm::dvec3 place, bool isPoint)
   return std::max<vtkIdType>(number, 0);
 }
 
-/// The id to draw for a ray with a hit.
+/// The colour of a ray with a hit, which encodes an id.
 using ColorOfRay = std::function<PixelColor(const glm::ivec2&)>;
 
-/// What is selected.
+/// The input of a selection.
 struct Selection
 {
   vtkHardwareSelector* Selector;
@@ -73,7 +73,7 @@ struct Selection
   const CellOrigins* Cells; ///< of a mesh; or null
 };
 
-/// The world in the data's coordinates.
+/// The transform from the world to the data's coordinates.
 glm::dmat4 DataFromWorld(vtkVolume* volume)
 {
   volume->ComputeMatrix();

@@ -17,12 +17,12 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Draw a viewer's last frame for the hardware selector of its renderer: with its depths, and in
-/// colours that encode the numbers for the present pass of the selector. These are the ids of the
-/// prop, of the process, of the block that is hit, of the point nearest to a hit, or of the cell
-/// around it. Of a mesh these are the cell that is hit, and the nearest of its points.
+/// Draw a viewer's last frame for the hardware selector of its renderer: with depths, and with
+/// colours that encode one id for the present pass of the selector: the id of the prop, process or
+/// hit block, of the point nearest to the hit, or of the cell around it. For a mesh: the hit cell,
+/// and its point nearest to the hit.
 /// \param data  with the points and cells, unless it is a mesh; null: their ids are 0
-/// \param error gets what is wrong if the result is false
+/// \param error receives the mistake if the result is false
 /// \throws std::bad_alloc
 bool PresentToSelector(vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* data,
   ViewerState& state, std::string& error);

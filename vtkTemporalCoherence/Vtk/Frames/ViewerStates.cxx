@@ -20,7 +20,7 @@ bool IsGoneInPart(const Viewer& viewer)
   return !viewer.Renderer || !viewer.Volume || !viewer.Camera;
 }
 
-/// True if the objects of a viewer that still exist are the same.
+/// True if two viewers differ only in objects that no longer exist.
 bool IsSuccessor(const Viewer& next, const Viewer& before)
 {
   return (!before.Renderer || before.Renderer == next.Renderer) &&

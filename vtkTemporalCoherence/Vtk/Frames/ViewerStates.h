@@ -4,7 +4,7 @@
 #define TemporalCoherence_ViewerStates_h
 
 #include "Acceleration/FieldStructures.h"
-#include "Grids/CellOrigins.h"
+#include "Input/CellOrigins.h"
 #include "Render/FrameRenderer.h"
 #include "Window/PeelPresenter.h"
 #include "Window/PicturePresenter.h"
@@ -41,7 +41,7 @@ struct Viewer
   int Eye = 0; ///< 0 both, 1 left, 2 right
 };
 
-/// What is kept for a viewer between frames.
+/// The state of a viewer between frames.
 struct ViewerState
 {
   explicit ViewerState(std::shared_ptr<FieldStructures> shared)
@@ -61,13 +61,13 @@ struct ViewerState
   PicturePresenter Presenter;
   PeelPresenter Peels;
   std::vector<int> IsovaluePlaces; ///< position in the property's list, for each isovalue drawn
-  std::shared_ptr<const CellOrigins> Cells; ///< of which cells the mesh drawn is made; or null
+  std::shared_ptr<const CellOrigins> Cells; ///< origins of the drawn mesh's cells; or null
   glm::ivec2 PictureSize{ 0 };              ///< pixels that the last frame fills
   bool ComparesDepths = true;               ///< ShownFrame::ComparesDepths
-  std::uint64_t PictureNumber = 0; ///< another one for each different picture in the process
+  std::uint64_t PictureNumber = 0;          ///< differs for different pictures in the process
 };
 
-/// A number that no picture of this process has.
+/// A new number, unique among all pictures of this process.
 std::uint64_t NewPictureNumber();
 
 /// The states of the last viewers. Which state serves a viewer affects speed only, never the
@@ -78,7 +78,7 @@ public:
   /// The most states. For more viewers, the least recently used state is re-used.
   static constexpr std::size_t Most = 4;
 
-  /// The state of a viewer, if there is one.
+  /// The state of a viewer; null if none exists.
   std::shared_ptr<ViewerState> Find(const Viewer& viewer) const;
 
   /// The state of a viewer; else a state whose viewer differs only in objects that no longer exist

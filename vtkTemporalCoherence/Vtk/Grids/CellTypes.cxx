@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/CellTypes.h"
 
-#include "Mesh/Mesh.h"
+#include "Mesh/Cells/Mesh.h"
 
 #include <vtkCell.h>
 #include <vtkCellType.h>
@@ -48,7 +48,7 @@ int DimensionOfType(int type)
 
 bool HaveVolume(vtkDataArray* types)
 {
-  std::array<bool, 256> isFlat{}; // and has been seen
+  std::array<bool, 256> isFlat{}; // of types that were looked up
   const auto hasVolume = [&](std::uint8_t type)
   {
     const int dimension = isFlat[type] ? 0 : DimensionOfType(type);

@@ -18,11 +18,11 @@ namespace TemporalCoherence
 
 struct MeshPart;
 
-/// The types of the cells of a grid, one for each; null if there are none. Since VTK 9.6 they may
-/// be in any array, for example in a constant one.
+/// The type of each cell of a grid; null if the grid has no types. Since VTK 9.6 any kind of array
+/// may hold them, for example a constant array.
 vtkDataArray* TypesOf(vtkUnstructuredGrid* grid);
 
-/// How many cells there are of each type.
+/// Number of cells, by type.
 using TypeCounts = std::array<std::int64_t, 256>;
 
 /// \pre the part has a list of cells
@@ -31,7 +31,7 @@ TypeCounts CountTypes(const MeshPart& part);
 /// The dimension of cells of a type; 0 for empty cells; -1 if VTK does not know the type.
 int DimensionOfType(int type);
 
-/// True if one of the types is of three dimensions, or not known.
+/// True if one of the types has three dimensions or is unknown.
 bool HaveVolume(vtkDataArray* types);
 
 /// True for types of MeshCellType.

@@ -53,7 +53,7 @@ std::int64_t PointsOfEachCell(vtkCellArray* cells)
   return points != 0 ? points : SlopeFromZero<vtkTypeInt64>(offsets);
 }
 
-/// The type that all cells have, in a constant array; null if types are in another one.
+/// The type of all cells, if a constant array holds the types; otherwise null.
 const std::uint8_t* ConstantType(vtkDataArray* types)
 {
   auto* const constant = vtkConstantArray<unsigned char>::FastDownCast(types);
@@ -75,8 +75,8 @@ const std::uint8_t* ConstantType(vtkDataArray*)
 
 #endif
 
-/// Find integers of 32 or 64 bits: in place, or in a copy of those that VTK computes, and of those
-/// of other sizes.
+/// Find integers of 32 or 64 bits: in place, or in a copy if VTK computes them or their size
+/// differs.
 bool FindIds(const GridLeaf& leaf, vtkDataArray* array, const char* what, MeshArray& ids,
   ArrayCopies& copies, std::string& error)
 {
@@ -115,7 +115,7 @@ bool SetConnectivity(const GridLeaf& leaf, vtkCellArray* cells, MeshPart& part, 
     FindIds(leaf, cells->GetConnectivityArray(), "point ids", part.Connectivity, copies, error);
 }
 
-/// Find the types of cells: in place, or in a copy of those that VTK computes.
+/// Find the types of cells: in place, or in a copy if VTK computes them.
 void FindTypes(vtkDataArray* types, MeshPart& part, ArrayCopies& copies)
 {
   part.Types = ConstantType(types);
@@ -132,7 +132,7 @@ void FindTypes(vtkDataArray* types, MeshPart& part, ArrayCopies& copies)
   }
 }
 
-/// That a data set has cells of a type, for a message.
+/// The part of a message that says which cells a data set has.
 std::string TextOfType(const GridLeaf& leaf, std::size_t type, std::int64_t count)
 {
   return leaf.Name + " has " + std::to_string(count) + (count == 1 ? " cell" : " cells") +
@@ -177,7 +177,7 @@ bool SetTypes(vtkUnstructuredGrid* grid, const GridLeaf& leaf, MeshPart& part, A
   return true;
 }
 
-/// One byte for each cell, 1 if its own flag or that of a point hides it, or if it is missing.
+/// One byte for each cell: 1 if its own flag or a point's flag hides it, or if it is missing.
 /// \param ofCells, ofPoints, missing may be null
 MadeFlags FlagsOfAll(const MeshPart& part, const std::uint8_t* ofCells,
   const std::uint8_t* ofPoints, const std::uint8_t* missing)
@@ -236,7 +236,7 @@ void NoteCells(const GridLeaf& leaf, MadeFrom& from)
   from.Add(static_cast<double>(leaf.Data->GetNumberOfPoints()));
   if (vtkCellArray* cells = CellsOf(leaf.Data))
   {
-    // Whoever writes cells may call Modified() of an array or of all cells.
+    // Writers of cells may call Modified() of an array or of all cells.
     from.Add(cells->GetOffsetsArray(), cells->GetMTime());
     from.Add(cells->GetConnectivityArray());
     from.Add(static_cast<double>(leaf.Data->GetNumberOfCells()));

@@ -25,7 +25,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Grids that are no images.
+/// True for grids that are neither images nor rectilinear.
 bool IsIrregular(vtkDataObject* data)
 {
   return vtkUnstructuredGrid::SafeDownCast(data) || vtkStructuredGrid::SafeDownCast(data) ||
@@ -37,8 +37,8 @@ vtkSmartPointer<vtkDataObjectTreeIterator> LeavesOf(vtkDataObjectTree* tree)
   return vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
 }
 
-/// True unless all cells of a data set are of less than three dimensions, as those of vtkPolyData
-/// are. What is wrong with cells is told later.
+/// False if all cells of a data set have fewer than three dimensions, as in vtkPolyData. Invalid
+/// cells are reported later.
 bool MayHaveVolume(vtkDataSet* data)
 {
   if (vtkPolyData::SafeDownCast(data) || data->GetNumberOfCells() == 0)
@@ -52,7 +52,7 @@ bool MayHaveVolume(vtkDataSet* data)
   }
   if (vtkExplicitStructuredGrid::SafeDownCast(data))
   {
-    vtkCellArray* cells = CellsOf(data); // an empty grid counts cells that it has not
+    vtkCellArray* cells = CellsOf(data); // an empty grid counts cells without having any
     return cells && cells->GetNumberOfCells() > 0;
   }
   const glm::ivec3 dimensions = DimensionsOf(data);

@@ -29,14 +29,14 @@ struct GridLeaf
 };
 
 /// True if data are drawn as a mesh: an unstructured, curvilinear, explicit structured or adaptive
-/// grid, or blocks, one of which is a grid of any sort and has cells with volume.
+/// grid, or blocks with a grid of any sort that has cells with volume.
 bool IsMesh(vtkDataObject* data);
 
-/// Find the data sets with volume and with the chosen array. Blocks whose cells are all of less
-/// than three dimensions are ignored.
+/// Find the data sets with volume and with the chosen array. Blocks without three-dimensional cells
+/// are ignored.
 ///
-/// \pre IsMesh(data), and it is no adaptive grid
-/// \param error gets what is wrong and what to do about it
+/// \pre IsMesh(data), and the data are no adaptive grid
+/// \param error receives the mistake and its remedy
 /// \return false on error: if a block is something else, or if none of the data sets has the array
 bool FindLeaves(vtkDataObject* data, const ScalarChoice& choice, std::vector<GridLeaf>& leaves,
   std::string& error);

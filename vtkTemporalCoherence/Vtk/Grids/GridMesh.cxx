@@ -29,7 +29,7 @@ DivisionError ErrorOf(const Subdivision& division)
     division.Overlaps };
 }
 
-/// Shares out what memory there is for cells that are divided.
+/// Divides the memory for divided cells among the leaves.
 class DivisionShares
 {
 public:
@@ -46,7 +46,7 @@ public:
   }
 
   /// The share of the next leaf.
-  /// \param memory that is left
+  /// \param memory the remaining memory
   std::size_t Next(std::size_t memory)
   {
     if (!this->IsLimited)
@@ -67,7 +67,7 @@ private:
   std::vector<std::int64_t> Curved;
 };
 
-/// A number that no other state of a mesh in this process has.
+/// A new number, unique among all states of meshes in this process.
 std::uint64_t NewStamp()
 {
   static std::atomic<std::uint64_t> last(0);
@@ -98,7 +98,7 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
   {
     return true;
   }
-  this->OfLeaves = nullptr; // what follows may fail
+  this->OfLeaves = nullptr; // the next steps may fail
   this->AreOthersNew = false;
   this->Parts.resize(leaves.size());
   if (this->AreValuesNew && this->FindMissing(leaves, component))
@@ -133,8 +133,8 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
   return true;
 }
 
-/// Find cells that have no value of their own.
-/// \return true if these are others than before, so that the tree does not fit
+/// Find cells without a value of their own.
+/// \return true if they differ from the last ones, so that the tree does not fit
 bool GridMesh::FindMissing(const std::vector<GridLeaf>& leaves, const DrawnComponent& component)
 {
   bool areNew = false;
@@ -167,13 +167,13 @@ bool GridMesh::SeeLeaf(const GridLeaf& leaf, const DrawnComponent& component, Le
     (!made.Census.HasOthers || this->SeeOthers(leaf, made, budget, error));
 }
 
-/// Make linear cells of those that are not.
+/// Replace nonlinear cells by linear ones.
 bool GridMesh::SeeOthers(
   const GridLeaf& leaf, LeafPart& made, MakingBudget& budget, std::string& error)
 {
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data);
   bool isStopped = false;
-  // Rational weights move points, and Modified() of the grid tells of nothing in particular.
+  // Rational weights move points, and Modified() of the grid does not say what changed.
   const bool arePointsKept = !this->ArePointsNew && !grid->GetPointData()->GetRationalWeights();
   if (arePointsKept && !made.Others.empty() &&
     SetSubdividedValues(grid, made.Made.Values.Array, made.Made.Values.Component, budget, made.Kept,
@@ -198,8 +198,8 @@ bool GridMesh::SeeOthers(
     return false;
   }
   made.Error = ErrorOf(division);
-  // Into how many cells each one is divided depends on points and values. Weights and faces may
-  // have changed, too: Modified() of the grid tells no more than that something did.
+  // The division of each cell depends on points and values. Weights and faces may have changed,
+  // too: Modified() of the grid does not say.
   const bool areSame = !this->ArePointsNew &&
     std::equal(last.begin(), last.end(), made.Others.begin(), made.Others.end(), HaveSameCells);
   this->AreOthersNew = this->AreOthersNew || !areSame;

@@ -4,14 +4,14 @@
 #define TemporalCoherence_GridMesh_h
 
 #include "Adaptive/AmrGrids.h"
-#include "Grids/CellOrigins.h"
 #include "Grids/GridCells.h"
 #include "Grids/GridLeaves.h"
 #include "Grids/GridPoints.h"
 #include "Grids/GridValues.h"
 #include "Grids/MadeFrom.h"
+#include "Input/CellOrigins.h"
 #include "Input/FieldSource.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Cells/Mesh.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <cstddef>
@@ -22,40 +22,40 @@
 namespace TemporalCoherence
 {
 
-/// The mesh of some data sets. It is made once, and of what changes, only that is made again.
+/// The mesh of some data sets. After changes, only the affected arrays are made again.
 class GridMesh
 {
 public:
   /// Make the mesh, or bring it up to date.
-  /// \param budget of cells that are made
-  /// \param error  gets what is wrong and what to do about it; empty if the budget does not do or
-  ///               it was stopped
+  /// \param budget for making cells
+  /// \param error  receives the mistake and its remedy; empty if the budget is too small or it was
+  ///               stopped
   /// \return false on error. There is no mesh then.
   /// \throws std::bad_alloc
   bool See(const std::vector<GridLeaf>& leaves, const DrawnComponent& component,
     MakingBudget& budget, std::string& error);
 
-  /// The same of an adaptive grid with several levels. Its cells are made of those of the grid, and
-  /// have no origins.
+  /// Make the mesh of an adaptive grid with several levels. Its cells lie between the grid's cells,
+  /// and have no origins.
   bool See(AdaptiveGrid* amr, const ScalarChoice& choice, const DrawnComponent& component,
     MakingBudget& budget, std::string& error);
 
-  /// The mesh, another one after each change; null if there is none.
+  /// The mesh, a new object after each change; null after an error.
   const std::shared_ptr<const Mesh>& Made() const { return this->OfLeaves; }
 
-  /// Which cells of the data sets those of the mesh are.
+  /// The cells of data sets from which the mesh was made.
   const std::shared_ptr<const CellOrigins>& Origins() const { return this->OfCells; }
 
-  /// The largest errors of cells that were divided, of all data sets; 0 where none was.
+  /// The largest errors of divided cells in all data sets; 0 without divided cells.
   DivisionError ErrorOfDivision() const;
 
-  /// Bytes of points, values and cells that had to be made.
+  /// Bytes of points, values and cells that are not read in place.
   std::size_t MemoryInBytes() const;
 
   void Release() { *this = GridMesh(); }
 
 private:
-  /// What was made for a part, and keeps its arrays alive.
+  /// Made arrays of a part, which they must outlive.
   struct Makings
   {
     MadeFlags Flags;
@@ -69,12 +69,12 @@ private:
   {
     MeshPart Part;
     std::vector<std::uint8_t> Missing; ///< see MissingCells.h
-    std::vector<MeshPart> Others;      ///< made of cells that Part leaves out
+    std::vector<MeshPart> Others;      ///< linear cells that replace cells left out of Part
     Makings Made;
     CellCensus Census;
-    KeptDivision Kept;          ///< of Others, if it is
+    KeptDivision Kept;          ///< of Others, if they are kept
     DivisionError Error;        ///< of Others
-    bool AreValuesMade = false; ///< they are not those of the data set
+    bool AreValuesMade = false; ///< values are not read from the data set in place
   };
 
   bool FindMissing(const std::vector<GridLeaf>& leaves, const DrawnComponent& component);
@@ -86,15 +86,15 @@ private:
   void Assemble(const std::vector<GridLeaf>& leaves);
   void Stamp(Mesh& mesh);
 
-  /// What a mesh was made from, and the stamps of that.
+  /// The input of a mesh.
   struct Provenance
   {
     MadeFrom Cells, Points, Values;
   };
 
   Provenance From;
-  std::size_t Limit = 0;                                             ///< of memory
-  bool AreCellsNew = true, ArePointsNew = true, AreValuesNew = true; ///< as they are made
+  std::size_t Limit = 0;                                             ///< of memory, in bytes
+  bool AreCellsNew = true, ArePointsNew = true, AreValuesNew = true; ///< during an update
   bool AreOthersNew = false;
   std::vector<LeafPart> Parts;
   std::uint64_t CellStamp = 0, PointStamp = 0, ValueStamp = 0;

@@ -112,7 +112,7 @@ bool PointsOfGrid(
   return true;
 }
 
-/// \return false if there are not as many points as the dimensions of a grid say
+/// \return false if a grid has fewer points than its dimensions need
 bool HasItsPoints(const GridLeaf& leaf, std::int64_t count, std::string& error)
 {
   const glm::i64vec3 dimensions(DimensionsOf(leaf.Data));
@@ -127,7 +127,7 @@ bool HasItsPoints(const GridLeaf& leaf, std::int64_t count, std::string& error)
   return false;
 }
 
-/// Points in place, unless VTK computes them.
+/// Set points in place, or from a copy if VTK computes them.
 bool SetPointsOfSet(const GridLeaf& leaf, MeshPart& part, MadePoints& made, std::string& error)
 {
   auto* set = vtkPointSet::SafeDownCast(leaf.Data);

@@ -5,7 +5,7 @@
 
 #include "Grids/GridLeaves.h"
 #include "Grids/MadeFrom.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Cells/Mesh.h"
 
 #include <memory>
 #include <string>
@@ -14,16 +14,16 @@
 namespace TemporalCoherence
 {
 
-/// Points that were made, as images and rectilinear grids have none in memory: x, y and z of each;
-/// null if the data set has its points.
+/// Computed points, for images and rectilinear grids, which have none in memory: x, y and z of
+/// each. Null if the data set has its points.
 using MadePoints = std::shared_ptr<const std::vector<double>>;
 
-/// Note everything that tells where points lie.
+/// Note all arrays and numbers that define the places of points.
 void NotePoints(const GridLeaf& leaf, MadeFrom& from);
 
 /// Set the points of a part, in place if the data set has them in memory.
-/// \param made  gets the points if they had to be made
-/// \param error gets what is wrong and what to do about it
+/// \param made  receives the points if they are computed
+/// \param error receives the mistake and its remedy
 /// \return false on error
 /// \throws std::bad_alloc
 bool SetPoints(const GridLeaf& leaf, MeshPart& part, MadePoints& made, std::string& error);

@@ -15,10 +15,10 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The points along each axis of a grid whose cells follow from these; 0 for all other data sets.
+/// The points along each axis of a structured grid; 0 for other data sets.
 glm::ivec3 DimensionsOf(vtkDataSet* data);
 
-/// The cells of a data set that has them one by one; else null.
+/// The explicit list of cells of a data set; null if cells are implicit.
 vtkCellArray* CellsOf(vtkDataSet* data);
 
 }

@@ -37,7 +37,7 @@ std::array<bool, 256> FindTypesWithVolume(const MeshPart& part)
   return haveVolume;
 }
 
-/// The mean of the cells around each point; 0 if there are none.
+/// The mean of the cells around each point; 0 without such cells.
 vtkSmartPointer<vtkDataArray> AverageToPoints(
   const MeshPart& part, const MeshArray& ofCells, const std::uint8_t* ghosts)
 {
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkDataArray> AverageToPoints(
   std::fill_n(sums, part.NumberOfPoints, 0.0);
   std::vector<std::int32_t> counts(static_cast<std::size_t>(part.NumberOfPoints), 0);
   const auto haveVolume = part.Types ? FindTypesWithVolume(part) : std::array<bool, 256>();
-  // In the order of the cells, so that the sums do not depend on the number of threads.
+  // Add up serially, so that sums do not depend on the number of threads.
   for (std::int64_t cell = 0; cell < part.NumberOfCells; ++cell)
   {
     if ((part.Types && !haveVolume[part.TypeOf(cell)]) || (ghosts && (ghosts[cell] & WithoutValue)))
@@ -89,7 +89,7 @@ MeshArray ArrayOf(const PointValues& values)
 
 void NoteValues(const GridLeaf& leaf, const DrawnComponent& component, MadeFrom& from)
 {
-  // As for images: whoever writes values may call Modified() of the array or of the data set.
+  // As for images, writers of values may call Modified() of the array or of the data set.
   from.Add(leaf.Array, leaf.Data->GetMTime());
   from.Add(leaf.OnCells ? 1.0 : 0.0);
   from.Add(component.Key());

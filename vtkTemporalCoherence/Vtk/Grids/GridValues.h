@@ -6,7 +6,7 @@
 #include "Grids/GridLeaves.h"
 #include "Grids/MadeFrom.h"
 #include "Input/VectorMagnitude.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Cells/Mesh.h"
 
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
@@ -23,17 +23,16 @@ struct PointValues
   int Component = 0;
 };
 
-/// Note everything that tells the values at points.
+/// Note all arrays and numbers that define the values at points.
 void NoteValues(const GridLeaf& leaf, const DrawnComponent& component, MadeFrom& from);
 
-/// Set the values of a part: in place if they are a component of an array of points. Lengths of
-/// vectors are computed. Values of cells are averaged as by vtkCellDataToPointData: a point has the
-/// mean of the cells around it that have volume and a value, and are neither hidden nor refined.
-/// Duplicates count, so that parts of distributed data have equal values at the points that they
-/// share.
+/// Set the values of a part. A component of a point array is read in place. Lengths of vectors are
+/// computed. Values of cells are averaged as by vtkCellDataToPointData: a point gets the mean of
+/// the surrounding cells with volume and a value, except hidden and refined cells. Duplicates
+/// count, so that parts of distributed data have equal values at the points that they share.
 ///
 /// \pre   the part has its cells, and the array of the leaf is in place
-/// \param error gets what is wrong and what to do about it
+/// \param error receives the mistake and its remedy
 /// \return false on error
 /// \throws std::bad_alloc
 bool SetValues(const GridLeaf& leaf, const DrawnComponent& component, MeshPart& part,

@@ -18,19 +18,19 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// What something was made from, to be compared: arrays by their addresses and times, and numbers.
-/// An address may dangle. But no two objects of a process have the same address and time.
+/// A comparable record of inputs: arrays by their addresses and times, and numbers. Addresses may
+/// dangle, but a pair of address and time identifies one object in a process.
 ///
-/// The numbers of an array are also compared by where they lie and how many there are: an array
-/// that grows or shrinks moves them, and its time stays the same.
+/// Address and size of an array's memory are compared, too: an array that grows or shrinks moves
+/// its numbers, but keeps its time.
 class MadeFrom
 {
 public:
   /// \param object may be null
-  /// \param time   if others than the object tell that it may have changed
+  /// \param time   a later modification time from another object, if any
   void Add(vtkObject* object, vtkMTimeType time = 0);
 
-  /// The same of an array.
+  /// Take note of an array.
   void Add(vtkDataArray* array, vtkMTimeType time = 0);
 
   void Add(double number) { this->Numbers.push_back(number); }

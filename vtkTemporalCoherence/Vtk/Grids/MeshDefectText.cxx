@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/MeshDefectText.h"
 
-#include "Trees/MeshTree.h"
+#include "Mesh/Tree/MeshTree.h"
 
 #include <vtkDataSet.h>
 #include <vtkIdList.h>
@@ -20,7 +20,8 @@ namespace
 
 constexpr const char* Correct = "; correct it or leave it out with vtkExtractCells.";
 
-/// The part with a cell, whose number in the part it gets; null if there is none.
+/// The part that contains a cell; null if no part does. The cell's number becomes relative to the
+/// part.
 const MeshPart* PartWith(const Mesh& mesh, std::int64_t& cell)
 {
   for (const MeshPart& part : mesh.Parts)
@@ -55,8 +56,8 @@ std::string TextOfPoint(const MeshPart* part, std::int64_t point)
   return text.str();
 }
 
-/// The point of a cell for which one that was made of it is not finite or too far away: it is not
-/// finite itself, or the farthest; -1 if there is none.
+/// The input's point that explains a bad point in a divided cell: the first point that is not
+/// finite or, without one, the farthest point; -1 without points.
 vtkIdType WorstPointOf(const CellOrigin& cell)
 {
   vtkIdType worst = -1;
@@ -84,7 +85,7 @@ vtkIdType WorstPointOf(const CellOrigin& cell)
   return worst;
 }
 
-/// The point that is not finite or too far away, by the number that it has in the data.
+/// The text for a point that is not finite or too far away, with its number in the data.
 std::string TextOfBadPoint(const MeshPart* part, std::int64_t point, const CellOrigin& origin)
 {
   if (!part || !part->Originals.First)

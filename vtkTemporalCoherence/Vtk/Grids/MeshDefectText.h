@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_MeshDefectText_h
 #define TemporalCoherence_MeshDefectText_h
 
-#include "Grids/CellOrigins.h"
 #include "Grids/GridLeaves.h"
+#include "Input/CellOrigins.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,14 +17,14 @@ namespace TemporalCoherence
 struct Mesh;
 struct MeshProblem;
 
-/// What is wrong with a mesh and what to do about it. Empty if it was not set up because it was
-/// stopped, or for lack of memory.
+/// The error message for a defect of a mesh, with the remedy. Empty if the set-up was stopped, or
+/// lacked memory.
 std::string TextOf(const MeshProblem& problem, const Mesh& mesh, const CellOrigins& origins,
   const std::vector<GridLeaf>& leaves);
 
-/// Tells that a mesh needs too much memory, and what to do about it.
+/// The error message for a mesh that needs too much memory, with the remedy.
 /// \param cells of the input
-/// \param needed at least, and the limit, in bytes
+/// \param needed at least, in bytes, and the limit
 std::string TextOfMemory(std::int64_t cells, std::size_t needed, std::size_t limit);
 
 }

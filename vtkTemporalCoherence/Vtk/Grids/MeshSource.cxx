@@ -8,9 +8,9 @@
 #include "Grids/MeshDefectText.h"
 #include "Input/GhostArray.h"
 #include "Input/VolumePlace.h"
-#include "MeshFields/MeshKind.h"
+#include "Kinds/MeshKind.h"
+#include "Mesh/Tree/MeshTree.h"
 #include "Scene/Timers.h"
-#include "Trees/MeshTree.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -51,7 +51,7 @@ int ComponentsOf(AdaptiveGrid* amr, const ScalarChoice& choice)
   return components;
 }
 
-/// The cells of the input, as the user counts them.
+/// Count the cells of the input, before divisions.
 std::int64_t CountCells(const std::vector<GridLeaf>& leaves, AdaptiveGrid* amr)
 {
   std::int64_t cells = 0;
@@ -66,7 +66,7 @@ std::int64_t CountCells(const std::vector<GridLeaf>& leaves, AdaptiveGrid* amr)
   return cells;
 }
 
-/// Keep all that a mesh reads, also if a data set gets other arrays.
+/// Keep all arrays that a mesh reads alive, even if a data set gets others.
 void Keep(const std::vector<GridLeaf>& leaves, PlacedField& field)
 {
   for (const GridLeaf& leaf : leaves)
@@ -107,7 +107,7 @@ bool MeshSource::Find(vtkDataObject* data, const ScalarChoice& choice, vtkVolume
 
 bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& error)
 {
-  SampleMask mask; // an error, unless it has no effect
+  SampleMask mask; // masks of meshes are errors, unless they have no effect
   if (!FindMask(query.Mask, query.Mapper, glm::ivec3(0), query.Volume->GetProperty(),
         query.Isovalues, mask, error))
   {
@@ -125,7 +125,7 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
   done.Error = this->Grids.ErrorOfDivision();
   done.AveragesCells = std::any_of(
     this->Leaves.begin(), this->Leaves.end(), [](const GridLeaf& leaf) { return leaf.OnCells; });
-  field.Samples = MeshField(tree, this->Kind);
+  field.Samples = MeshField(tree, this->Shape);
   field.Cells = this->Grids.Origins();
   field.Axes = { tree.Low(), glm::dvec3(tree.Scale()) };
   field.PerStep = glm::dvec3(tree.Edges().Mean / tree.Scale());
@@ -138,7 +138,7 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
 /// Make the mesh and its tree, or bring them up to date.
 bool MeshSource::SetUp(const FieldQuery& query, FieldSetUp& done, std::string& error)
 {
-  constexpr double shareOfCells = 0.5; // of the progress, if any are made
+  constexpr double shareOfCells = 0.5; // of the progress, if cells are made
   double made = 0.0;
   MakingBudget budget;
   budget.Memory =
@@ -163,7 +163,7 @@ bool MeshSource::SetUp(const FieldQuery& query, FieldSetUp& done, std::string& e
 }
 
 /// Make a tree for the mesh, or bring it up to date.
-/// \param budget is told what it needs
+/// \param budget receives the needed memory
 bool MeshSource::SetUpTree(bool averagesGradients, const ReportProgress& progress,
   MakingBudget& budget, FieldSetUp& done, std::string& error)
 {
@@ -174,7 +174,7 @@ bool MeshSource::SetUpTree(bool averagesGradients, const ReportProgress& progres
   if (!last || last->CellStamp != mesh->CellStamp)
   {
     done.Work = SetUpWork::Built;
-    this->Kind = nullptr;
+    this->Shape = nullptr;
     this->Tree = nullptr;
     const std::size_t made = this->Grids.MemoryInBytes();
     const std::size_t limit = budget.Memory - std::min(budget.Memory, made);
@@ -200,14 +200,14 @@ bool MeshSource::SetUpTree(bool averagesGradients, const ReportProgress& progres
   }
   if (!this->Tree)
   {
-    this->Kind = nullptr;
+    this->Shape = nullptr;
     const auto origins = this->Grids.Origins();
     error = TextOf(problem, *mesh, origins ? *origins : CellOrigins(mesh, {}), this->Leaves);
     return false;
   }
-  if (!this->Kind || this->Tree != before || this->HasAveragedGradients != averagesGradients)
+  if (!this->Shape || this->Tree != before || this->HasAveragedGradients != averagesGradients)
   {
-    this->Kind = MeshKind(this->Tree, averagesGradients);
+    this->Shape = MeshKind(this->Tree, averagesGradients);
     this->HasAveragedGradients = averagesGradients;
   }
   return true;

@@ -17,11 +17,11 @@ namespace TemporalCoherence
 
 class MeshTree;
 
-/// The fields of unstructured, curvilinear and explicit structured grids, of blocks of these, of
-/// images and of rectilinear grids, and of adaptive grids with several levels.
+/// Makes the fields of unstructured, curvilinear and explicit structured grids, of blocks of these
+/// (also with images and rectilinear grids), and of adaptive grids with several levels.
 ///
-/// The mesh and the tree over it are made once. New values leave the tree as it is, and new points
-/// of the same cells move its boxes.
+/// The mesh and its tree are made once. New values keep the tree, and new points of the same cells
+/// move its boxes.
 class MeshSource : public FieldSource
 {
 public:
@@ -36,15 +36,15 @@ private:
   bool SetUpTree(bool averagesGradients, const ReportProgress& progress, MakingBudget& budget,
     FieldSetUp& done, std::string& error);
 
-  std::vector<GridLeaf> Leaves; ///< that were found; their arrays are in place
+  std::vector<GridLeaf> Leaves; ///< found leaves, with arrays in place
   ArraysInPlace Arrays;         ///< of leaves
-  AdaptiveGrid* Amr = nullptr;  ///< that was found instead
+  AdaptiveGrid* Amr = nullptr;  ///< found instead of leaves
   ScalarChoice Choice;
   DrawnComponent Component;
   GridMesh Grids;
   std::shared_ptr<const MeshTree> Tree;
-  std::shared_ptr<const FieldKind> Kind; ///< of the tree
-  bool HasAveragedGradients = false;     ///< the kind
+  std::shared_ptr<const FieldShape> Shape; ///< of the tree
+  bool HasAveragedGradients = false;       ///< of Shape
 };
 
 }

@@ -15,7 +15,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Mark the numbers of a component that are NaN.
+/// Mark the NaN values of a component.
 template <typename T>
 void MarkNaN(const ArraySamples& samples, std::int64_t count, std::vector<std::uint8_t>& missing)
 {

@@ -11,8 +11,8 @@
 namespace TemporalCoherence
 {
 
-/// Find the cells whose own values are not numbers. They are hidden, as flagged cells are.
-/// \param missing gets 1 for each of them and 0 for the others; empty if there are none, or if the
+/// Find the cells whose own values are NaN. They are hidden like flagged cells.
+/// \param missing receives 1 for these cells and 0 for others; empty without such cells, or if
 ///                values lie at points
 /// \throws std::bad_alloc
 void FindMissingCells(

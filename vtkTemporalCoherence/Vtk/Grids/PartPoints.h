@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_PartPoints_h
 #define TemporalCoherence_PartPoints_h
 
-#include "Mesh/MeshCell.h"
+#include "Mesh/Cells/MeshCell.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace TemporalCoherence
 {
 
-/// Call `visit(point)` for the points of a cell of any type, also of a hidden one. Ids that are not
-/// those of points are left out: they are told when the mesh is set up.
+/// Call `visit(point)` for the points of a cell of any type, also of a hidden one. Invalid ids are
+/// left out: the set-up of the mesh reports them.
 template <typename Visit>
 void ForEachPoint(const MeshPart& part, std::int64_t cell, const Visit& visit)
 {

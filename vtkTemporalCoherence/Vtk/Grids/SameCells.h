@@ -3,13 +3,13 @@
 #ifndef TemporalCoherence_SameCells_h
 #define TemporalCoherence_SameCells_h
 
-#include "Mesh/Mesh.h"
+#include "Mesh/Cells/Mesh.h"
 
 namespace TemporalCoherence
 {
 
-/// True if parts that were made of the same data set differ in nothing but values: cells, points
-/// and the cells that they were made of are the same.
+/// True if two parts made of one data set differ in values at most: cells, points and original
+/// cells are equal.
 bool HaveSameCells(const MeshPart& a, const MeshPart& b);
 
 }

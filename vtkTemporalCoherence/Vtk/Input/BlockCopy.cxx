@@ -19,7 +19,7 @@ namespace
 
 using Ghosts = vtkDataSetAttributes;
 
-/// Ranks of a block's sample; the highest one is taken.
+/// Rank of a block's sample. The sample with the highest rank is copied.
 enum Rank : std::uint8_t
 {
   None,
@@ -233,7 +233,7 @@ private:
           ++count;
         }
       }
-      // Farther away any sample will do that does not widen the range of values.
+      // Farther away, any existing sample serves: it does not widen the range of values.
       this->SampleAt(at)[c] = count > 0
         ? Rounded(sum / count)
         : *static_cast<const T*>(
@@ -263,7 +263,7 @@ private:
   std::vector<std::uint8_t> Ranks; ///< of the samples
 };
 
-/// Mark the cells between points that no block owns and shows.
+/// Mark cells between points, unless some block owns and shows them.
 bool MarkHiddenCells(const std::vector<BlockSource>& blocks, const BlockTarget& target)
 {
   const glm::ivec3 cells = target.Points - 1;

@@ -27,15 +27,15 @@ struct BlockTarget
   glm::ivec3 Points{ 0 }; ///< along each axis
   bool OnCells = false;   ///< samples lie on the cells between the points
   void* Samples = nullptr;
-  std::uint8_t* CellGhosts = nullptr; ///< gets 0, or HIDDENCELL for cells to hide
+  std::uint8_t* CellGhosts = nullptr; ///< receives 0, or HIDDENCELL for cells to hide
 };
 
 /// Copy blocks of samples of one type into one array, in parallel.
 ///
-/// If several blocks hold a sample, it is taken from a block that owns it; else from one with a
-/// duplicate; else from one in which it is hidden. Of equal blocks the first counts. A cell is
-/// visible if some block owns and shows it. Samples without a block repeat their neighbours, so
-/// that gradients at the rim are one-sided differences.
+/// If several blocks hold a sample, the owner's copy is taken, else a duplicate, else a hidden
+/// copy. Of equal blocks the first counts. A cell is visible if some block owns and shows it.
+/// Samples without a block repeat their neighbours, so that gradients at the rim are one-sided
+/// differences.
 /// \pre all blocks lie in the target, with the same type and number of components
 /// \return true if there are hidden cells
 bool CopyBlocks(const std::vector<BlockSource>& blocks, const BlockTarget& target);

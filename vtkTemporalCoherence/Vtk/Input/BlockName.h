@@ -12,7 +12,7 @@
 namespace TemporalCoherence
 {
 
-/// How messages call the block that an iterator has reached.
+/// The name of an iterator's present block in messages.
 inline std::string NameOfLeaf(vtkDataObjectTreeIterator* leaf)
 {
   std::string name = "Block " + std::to_string(leaf->GetCurrentFlatIndex());

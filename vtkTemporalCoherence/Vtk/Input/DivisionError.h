@@ -10,26 +10,27 @@
 namespace TemporalCoherence
 {
 
-/// What kept curved cells from being divided further. Of several limits the last one is told.
+/// The reason why curved cells were not divided further. Of several reasons, the last in this list
+/// counts.
 enum class DivisionLimit
 {
-  Goal,  ///< SubdivisionGoal: nothing
-  Parts, ///< the most parts of one cell
-  Cells, ///< the most cells that there may be
+  Goal,  ///< none: SubdivisionGoal was reached
+  Parts, ///< the limit of parts in one cell
+  Cells, ///< the limit of all cells
   Memory ///< MakingBudget
 };
 
-/// Bounds of what linear cells made of curved ones differ by, and polyhedra that overlap others.
+/// Bounds of the errors of divided curved cells, and polyhedra that overlap others.
 struct DivisionError
 {
-  double OfPoints = 0.0; ///< in parts of the diagonal of the curved cell
-  double OfValues = 0.0; ///< in parts of the range of values in it, or of 1 % of that in the grid;
-                         ///< NaN where it is not known
+  double OfPoints = 0.0; ///< share of the diagonal of the curved cell
+  double OfValues = 0.0; ///< share of the range of values in the cell, or of 1 % of the range in
+                         ///< the grid; NaN if unknown
   DivisionLimit Limit = DivisionLimit::Goal;
-  std::int64_t Overlapping = 0; ///< concave polyhedra that were not divided without leaving them
+  std::int64_t Overlapping = 0; ///< concave polyhedra that are drawn beyond their faces
   std::string Overlaps;         ///< names one of them
 
-  /// Take the larger of each.
+  /// Take the maximum of each error and limit; add up the overlaps.
   void Add(const DivisionError& other)
   {
     const auto largest = [](double a, double b) { return a >= b || a != a ? a : b; };

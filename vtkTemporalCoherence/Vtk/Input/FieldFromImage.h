@@ -24,11 +24,11 @@ struct ImageAxes
 };
 
 /// Make a field of one component of an image's array. The samples are not copied.
-/// \param image     where the samples lie
+/// \param image     defines the places of the samples
 /// \param array     one tuple for each point, or for each cell, of the image; AreInPlace(array)
 /// \param onCells   samples lie at the centres of cells; the field is the box between the centres
 /// \param component of the array
-/// \param error     gets what is wrong and what to do about it
+/// \param error     receives the mistake and its remedy
 /// \return false on error. An image with fewer than two samples along an axis is no error: its
 ///         field has no cells.
 bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,

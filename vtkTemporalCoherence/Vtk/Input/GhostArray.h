@@ -14,7 +14,7 @@
 namespace TemporalCoherence
 {
 
-/// The ghost array of points or cells; null if there is none.
+/// The ghost array of points or cells, or null.
 inline vtkUnsignedCharArray* GhostsOf(vtkDataSetAttributes* attributes)
 {
   // The data set may answer with an array that has been replaced.
@@ -24,8 +24,8 @@ inline vtkUnsignedCharArray* GhostsOf(vtkDataSetAttributes* attributes)
 
 /// Find the flags of points or cells.
 /// \param flags null if there is no ghost array
-/// \param error gets what is wrong and what to do about it
-/// \return false if there is not one flag for each
+/// \param error receives the mistake and its remedy
+/// \return false if the number of flags is wrong
 inline bool FindFlags(vtkDataSetAttributes* attributes, const ArrayPlaces& places,
   const std::uint8_t*& flags, std::string& error)
 {

@@ -22,7 +22,7 @@ namespace
 constexpr std::uint8_t NotToBeShown = vtkDataSetAttributes::HIDDENCELL |
   vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::DUPLICATECELL;
 
-/// One byte for each cell of an image, 1 if its own flag or that of a corner hides it.
+/// One byte for each cell of an image: 1 if its own flag or a corner's flag hides it.
 std::vector<std::uint8_t> FlagsOfCells(
   const glm::ivec3& points, const std::uint8_t* ofCells, const std::uint8_t* ofPoints)
 {

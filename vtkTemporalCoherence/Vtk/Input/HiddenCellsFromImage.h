@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_HiddenCellsFromImage_h
 #define TemporalCoherence_HiddenCellsFromImage_h
 
-#include "Acceleration/HiddenCells.h"
 #include "Input/SampleMask.h"
+#include "Scene/HiddenCells.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkType.h>
@@ -21,7 +21,8 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Finds the cells that an image's ghost arrays and a mask hide, and keeps them until these change.
+/// Finds the cells that ghost arrays of an image and a mask hide. Keeps them until an input
+/// changes.
 ///
 /// Ghost arrays are VTK's vtkGhostType arrays. A cell is hidden if it is flagged as hidden, refined
 /// or duplicate, or if it has a hidden point. Duplicate points hide nothing: their samples are
@@ -30,11 +31,11 @@ class HiddenCellsOfImage
 {
 public:
   /// Find the hidden cells of the field that is made of an image.
-  /// \param samplesAreCells the field's samples lie at the centres of the image's cells, and its
-  ///                        cells between them: those around a hidden cell of the image are hidden
+  /// \param samplesAreCells the field's samples lie at the centres of the image's cells, so each
+  ///                        hidden cell of the image hides the field's cells around it
   /// \param mask            of the field's samples
   /// \param hidden          gets the cells; null if none is hidden
-  /// \param error           gets what is wrong and what to do about it
+  /// \param error           receives the mistake and its remedy
   /// \return false on error
   bool Find(vtkImageData* image, bool samplesAreCells, const SampleMask& mask,
     std::shared_ptr<const HiddenCells>& hidden, std::string& error);

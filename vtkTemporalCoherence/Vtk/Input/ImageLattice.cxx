@@ -12,10 +12,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// How far points may lie from lattice points, in steps.
+/// Largest distance of points from lattice points, in steps.
 constexpr double LargestMiss = 1e-6;
 
-/// If images are farther apart than this, indices do not fit into an extent.
+/// Largest distance between images, in steps: beyond, indices do not fit into an extent.
 constexpr double LargestShift = 1e9;
 
 glm::dvec3 SpacingOf(vtkImageData* image)

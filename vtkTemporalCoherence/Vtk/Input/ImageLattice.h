@@ -25,8 +25,8 @@ struct LatticeBox
   glm::i64vec3 Points() const { return this->Last - this->First + std::int64_t(1); }
 };
 
-/// Find where an image lies on the lattice of another one, in that image's indices.
-/// \param why gets what does not agree
+/// Find the position of an image on the lattice of another one, in that image's indices.
+/// \param why receives the difference
 /// \return false if spacing or direction differ, or if the origins are not whole steps apart
 bool PlaceOnLattice(
   vtkImageData* lattice, vtkImageData* image, LatticeBox& place, std::string& why);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/ImageOfGrid.h"
 
-#include "Fields/RectilinearKind.h"
+#include "Kinds/RectilinearKind.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -22,9 +22,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// A grid is drawn as an image if no sample is farther than this, in mean cells, from its position
-/// in the image. This is about the precision of float coordinates, and a hundredth of the error
-/// that depths may have.
+/// Largest distance between samples of grid and image, in mean cells, at which the grid is drawn as
+/// an image: about the precision of float coordinates, and a hundredth of the tolerance of depths.
 constexpr double LargestShift = 1e-5;
 
 /// The positions of samples along one axis.
@@ -32,11 +31,11 @@ struct GridAxis
 {
   double First = 0.0;
   double Spacing = 1.0;      ///< mean distance of samples, negative if coordinates descend
-  std::vector<double> Along; ///< in units of it, from the first sample
+  std::vector<double> Along; ///< in units of Spacing, from the first sample
   bool IsUniform = true;
 };
 
-/// What is wrong with coordinates and what to set instead; empty if they are valid.
+/// The fault of coordinates and its remedy; empty if they are valid.
 std::string FaultOf(const std::vector<double>& coordinates)
 {
   std::ostringstream fault;
@@ -187,7 +186,7 @@ bool ImageOfGrid::See(vtkRectilinearGrid* grid, bool onCells, std::string& error
   }
   this->AsImage->SetOrigin(axes[0].First, axes[1].First, axes[2].First);
   this->AsImage->SetSpacing(axes[0].Spacing, axes[1].Spacing, axes[2].Spacing);
-  this->OfField = UniformKind();
+  this->OfField = UniformShape();
   if (!(axes[0].IsUniform && axes[1].IsUniform && axes[2].IsUniform))
   {
     auto along = std::make_shared<GridCoordinates>();

@@ -71,7 +71,7 @@ bool ImageSource::FindImage(vtkDataObject* data, const ScalarChoice& choice, std
     return false;
   }
   this->Found.Image = this->Grid.Image();
-  this->Found.Kind = this->Grid.Kind();
+  this->Found.Shape = this->Grid.Shape();
   return true;
 }
 
@@ -84,7 +84,7 @@ void ImageSource::FindScalar(vtkVolumeProperty* property, const VectorChoice& ve
     this->Magnitude.Release();
     return;
   }
-  // As for the samples: whoever writes them may call Modified() of the array or of the image.
+  // Writers of samples may call Modified() of the array or of the image.
   const vtkMTimeType stamp = std::max(this->Found.Image->GetMTime(), this->Found.Array->GetMTime());
   this->Found.Array = this->Magnitude.Of(this->Found.Array, stamp);
 }
@@ -103,7 +103,7 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
   {
     return false;
   }
-  field.Samples.Kind = found.Kind;
+  field.Samples.Shape = found.Shape;
   field.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
     ? Interpolation::Nearest
     : Interpolation::Linear;
@@ -136,15 +136,15 @@ bool ImageSource::MakeOthers(PlacedField& field, std::string& error) const
     }
     const Field& first = field.Samples;
     other.Between = first.Between;
-    other.Kind = first.Kind;
+    other.Shape = first.Shape;
     other.Flagged = first.Flagged;
     field.Others.push_back(other);
   }
   return true;
 }
 
-/// Find the ranges of all components, as far as their samples may have changed. VTK's arrays keep
-/// ranges, too, but do not notice that an image is modified.
+/// Find the ranges of all components whose samples may have changed. VTK's arrays keep ranges, too,
+/// but do not notice that an image is modified.
 void ImageSource::FindRanges(PlacedField& field)
 {
   std::vector<KnownRange> ranges;

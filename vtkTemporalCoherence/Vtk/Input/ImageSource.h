@@ -23,7 +23,7 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The fields of images, of rectilinear grids, and of blocks that are images on one lattice.
+/// Makes the fields of images, of rectilinear grids, and of blocks that are images on one lattice.
 class ImageSource : public FieldSource
 {
 public:
@@ -39,14 +39,14 @@ private:
   void FindRanges(PlacedField& field);
   void FindScalar(vtkVolumeProperty* property, const VectorChoice& vectors);
 
-  /// What was found. The pointers are not owned.
+  /// The found image and array. The pointers are not owned.
   struct FoundImage
   {
     vtkImageData* Image = nullptr; ///< also stands for a rectilinear grid
     vtkDataArray* Array = nullptr; ///< null if the image has no points
     bool OnCells = false;          ///< one tuple for each cell, otherwise for each point
     DrawnComponent Component;
-    std::shared_ptr<const FieldKind> Kind = UniformKind(); ///< for example where samples lie
+    std::shared_ptr<const FieldShape> Shape = UniformShape(); ///< the places of samples
   };
 
   FoundImage Found;
@@ -56,7 +56,7 @@ private:
   ImageOfGrid Grid;
   HiddenCellsOfImage Hidden;
 
-  /// The finite samples of a component.
+  /// The range of a component's finite samples.
   struct KnownRange
   {
     Field Of;

@@ -10,7 +10,7 @@
 namespace TemporalCoherence
 {
 
-/// The same matrix: VTK stores rows, GLM columns.
+/// A matrix of VTK as one of GLM: VTK stores rows, GLM columns.
 inline glm::dmat4 MatrixFromVtk(vtkMatrix4x4* matrix)
 {
   glm::dmat4 result;

@@ -30,8 +30,8 @@ using Block = MergedBlocks::Block;
 constexpr double LargestGrowth = 4.0;
 constexpr double SmallImage = 64.0 * (1 << 20); // bytes
 
-/// The images with cells, in the order of the tree. Other data sets have no volume, or all would be
-/// a mesh, and are ignored.
+/// The images with cells, in the order of the tree. Other data sets are ignored: they have no
+/// volume, as otherwise the whole tree would be a mesh.
 bool FindImages(vtkDataObjectTree* tree, std::vector<Block>& images, std::string& error)
 {
   const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
@@ -92,14 +92,15 @@ ArrayPlaces PlacesOf(const Block& block, bool areCells)
   return { block.Name, areCells, CountSamples(block.Image, areCells) };
 }
 
-/// Find the ghost arrays of a block. \return false if they do not fit it
+/// Find the ghost arrays of a block.
+/// \return false if their sizes are wrong
 bool FindGhosts(Block& block, std::string& error)
 {
   return FindFlags(block.Image->GetPointData(), PlacesOf(block, false), block.PointGhosts, error) &&
     FindFlags(block.Image->GetCellData(), PlacesOf(block, true), block.CellGhosts, error);
 }
 
-/// Compare a block's array with that of the first one.
+/// Compare a block's array with the first block's array.
 bool FitsArray(
   const Block& first, const Block& block, const ScalarChoice& choice, std::string& error)
 {
@@ -247,12 +248,12 @@ bool MergedBlocks::Merge(vtkDataObjectTree* tree, const ScalarChoice& choice, st
 void MergedBlocks::Copy(const std::vector<Block>& blocks, bool onCells, const LatticeBox& whole)
 {
   std::vector<BlockSource> sources;
-  ArraysInPlace arrays; // for as long as they are read
+  ArraysInPlace arrays; // keeps copies during the merge
   for (const Block& block : blocks)
   {
     sources.push_back(MakeSource(block, arrays.Of(block.Array), whole));
   }
-  this->Release(); // first, as both images may not fit into memory
+  this->Release(); // first, because both images may not fit into memory
 
   const auto image = MakeImage(blocks.front().Image, whole);
   vtkDataArray* model = blocks.front().Array;

@@ -24,26 +24,26 @@ namespace TemporalCoherence
 
 /// The images of a composite data set as one image.
 ///
-/// The images must lie on one lattice. Their chosen arrays are copied into one image that covers
-/// them all, so that there are no seams. Cells without a block are marked as HIDDENCELL with
-/// vtkGhostType. The image is made once, and again only when a block changes.
+/// The images must lie on one lattice. Their chosen arrays are copied into one covering image, so
+/// no seams appear. Cells without a block are marked as HIDDENCELL with vtkGhostType. The image is
+/// made once, and again only when a block changes.
 class MergedBlocks
 {
 public:
-  /// \param error gets what is wrong and what to do about it
+  /// \param error receives the mistake and its remedy
   /// \return false on error. Blocks without cells or without the array are skipped.
   bool Merge(vtkDataObjectTree* tree, const ScalarChoice& choice, std::string& error);
 
-  /// The merged image. It has no points if there is no block to draw.
+  /// The merged image. Without drawable blocks it has no points.
   vtkImageData* Image() const { return this->Merged; }
 
-  /// Its array; null if there is no block to draw.
+  /// Its array; null without drawable blocks.
   const ChosenScalars& Scalars() const { return this->Chosen; }
 
   void Release() { *this = MergedBlocks(); }
 
-  /// An image of the composite data set. The pointers are not owned. Those of the last merge may
-  /// dangle: they are only compared.
+  /// An image of the composite data set. The pointers are not owned. After a merge they may dangle:
+  /// they are only compared.
   struct Block
   {
     vtkImageData* Image = nullptr;
@@ -51,7 +51,7 @@ public:
     vtkMTimeType Stamp = 0;
     std::string Name; ///< for errors
     LatticeBox Place;
-    const std::uint8_t* PointGhosts = nullptr; ///< flags; null: there are none
+    const std::uint8_t* PointGhosts = nullptr; ///< flags or null
     const std::uint8_t* CellGhosts = nullptr;
   };
 

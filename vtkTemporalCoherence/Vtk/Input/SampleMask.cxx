@@ -31,7 +31,7 @@ std::string TextOf(const glm::ivec3& count)
     std::to_string(count.z);
 }
 
-/// The hidden labels: those whose own opacity is 0 at all isovalues.
+/// Find the hidden labels, whose own opacity is 0 at all isovalues.
 /// \return false if a label is hidden at some isovalues only
 bool FindHiddenLabels(vtkVolumeProperty* property, const std::vector<double>& isovalues,
   std::vector<std::int64_t>& hidden, std::string& error)
@@ -71,7 +71,7 @@ bool FindHiddenLabels(vtkVolumeProperty* property, const std::vector<double>& is
   return true;
 }
 
-/// Why the array of a mask cannot be used; empty if it can.
+/// The error message for an unusable array of a mask; empty if it is usable.
 std::string WhyUnusable(
   vtkImageData* image, const ChosenScalars& scalars, const glm::ivec3& samples)
 {

@@ -31,7 +31,7 @@ struct MaskSettings
   float BlendFactor = 1.0f;      ///< weight of a label's own properties
 };
 
-/// What a mask shows of a field. Compared by value, except for the samples of the mask.
+/// A mask of a field's samples. Compared by value, except for the values of its array.
 ///
 /// A binary mask shows samples where it is above 0. A label map hides the samples of some labels.
 struct SampleMask
@@ -48,20 +48,20 @@ struct SampleMask
   }
 };
 
-/// Find what a mask shows. A label is hidden if BlendFactor is 1, so that its own scalar opacity
+/// Find the mask of a field. A label is hidden if BlendFactor is 1, so that its own scalar opacity
 /// counts alone, and this is 0 at all isovalues.
 /// \param mapper    its scalar mode chooses the array of the mask
 /// \param samples   of the field along each axis
 /// \param property  knows the labels
-/// \param isovalues to draw; null if the volume is blended, which labels cannot change
-/// \param error     gets what is wrong and what to do about it
+/// \param isovalues to draw; null for a blended volume, which labels cannot change
+/// \param error     receives the mistake and its remedy
 /// \return false on error
 bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::ivec3& samples,
   vtkVolumeProperty* property, const std::vector<double>* isovalues, SampleMask& mask,
   std::string& error);
 
 /// One byte for each sample of the field, 0 if the mask hides it.
-/// \param room memory for them, unless the mask's own values serve
+/// \param room memory for the bytes, unless the mask's own values suffice
 /// \pre the mask has an array
 /// \throws std::bad_alloc
 const std::uint8_t* SamplesShown(const SampleMask& mask, std::vector<std::uint8_t>& room);

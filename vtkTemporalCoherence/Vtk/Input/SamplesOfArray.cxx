@@ -43,7 +43,7 @@ constexpr ScalarType ScalarTypeOf()
 }
 
 /// The samples of a component in a buffer of its own; null if the array stores whole tuples. From
-/// VTK 9.3 on many arrays do, and tell it only by an error.
+/// VTK 9.3 on many arrays do, and reveal it only by an error.
 template <typename T>
 const T* OwnComponent(vtkSOADataArrayTemplate<T>* array, int component)
 {

@@ -30,29 +30,29 @@ struct ArraySamples
 };
 
 /// True if the samples of each component are equally spaced in memory: in arrays of tuples, in
-/// arrays of components and, since VTK 9.7, in vtkStridedArray (9.6 does not tell where its samples
-/// lie). VTK computes the samples of other arrays.
+/// arrays of components and, since VTK 9.7, in vtkStridedArray (9.6 hides the address of its
+/// samples). VTK computes the samples of other arrays.
 bool AreInPlace(vtkDataArray* array);
 
 /// \pre AreInPlace(array), and the array has the component
 ArraySamples SamplesOf(vtkDataArray* array, int component);
 
-/// A copy with the same numbers that AreInPlace. A line in the log tells of it.
+/// A copy with equal numbers that AreInPlace. A line in the log reports it.
 /// \param type VTK's number for the type of the copy; negative: the array's own type, or unsigned
 ///             characters for bits
 /// \throws std::bad_alloc
 vtkSmartPointer<vtkDataArray> CopyInPlace(vtkDataArray* array, int type = -1);
 
-/// Gives each array in place, and keeps copies of arrays that are not until these change.
+/// Provides arrays in place. Keeps copies of other arrays until the originals change.
 class ArraysInPlace
 {
 public:
   /// The array itself if it AreInPlace, otherwise a copy. Null for null.
-  /// \param time if others than the array tell that it may have changed
+  /// \param time a later modification time from another object, if any
   /// \throws std::bad_alloc
   vtkDataArray* Of(vtkDataArray* array, vtkMTimeType time = 0);
 
-  /// Drop the copies that nobody has asked for since the last call.
+  /// Drop the copies that were not requested since the last call.
   void DropUnused();
 
   /// Bytes of the copies.
@@ -69,7 +69,7 @@ private:
   std::vector<Kept> Copies;
 };
 
-/// \param error gets what is wrong and what to do about it
+/// \param error receives the mistake and its remedy
 /// \return false if the array lacks a component that the user chose
 bool HasComponent(vtkDataArray* array, int component, std::string& error);
 
@@ -77,21 +77,21 @@ bool HasComponent(vtkDataArray* array, int component, std::string& error);
 /// largest number, so that no array has enough tuples.
 std::int64_t CountSamples(vtkImageData* image, bool onCells);
 
-/// The points or the cells of a data set, which an array has values of.
+/// The points or cells of a data set, to which the values of an array belong.
 struct ArrayPlaces
 {
-  std::string Owner; ///< how messages call the data set
+  std::string Owner; ///< name of the data set in messages
   bool AreCells = false;
   std::int64_t Count = 0;
 };
 
-/// True if an array has one tuple for each place. More tuples than cells belong to other cells; of
-/// more tuples than points VTK draws the first ones.
+/// True if an array has one tuple for each place. With more tuples than cells, the array belongs to
+/// other cells. With more tuples than points, VTK draws the first ones.
 bool HasOneForEach(vtkDataArray* array, const ArrayPlaces& places);
 
 /// Check that an array has one tuple for each place, as HasOneForEach counts.
-/// \param error gets what is wrong and what to do about it
-/// \return false if it has not
+/// \param error receives the mistake and its remedy
+/// \return false if their number is wrong
 bool CheckTuples(vtkDataArray* array, const ArrayPlaces& places, std::string& error);
 
 /// The name of an array in quotation marks, for messages.

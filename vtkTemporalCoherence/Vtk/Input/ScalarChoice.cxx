@@ -16,7 +16,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The component with the largest weight; the first of equal ones.
+/// The component with the largest weight; the first one of equal weights.
 int HeaviestComponent(vtkVolumeProperty* property, int components)
 {
   int heaviest = 0;

@@ -42,11 +42,11 @@ ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice);
 /// cells.
 ScalarChoice ChoiceForAll(const std::vector<vtkDataSet*>& dataSets, const ScalarChoice& choice);
 
-/// True if a choice is of arrays of cells.
-/// \pre it is not the default, which depends on the data
+/// True if arrays of cells are chosen.
+/// \pre the mode is not the default, which depends on the data
 bool IsOnCells(const ScalarChoice& choice);
 
-/// Which scalar to draw if arrays have several components.
+/// The user's choice of a scalar for arrays with several components.
 struct VectorChoice
 {
   enum class Modes
@@ -58,22 +58,22 @@ struct VectorChoice
 
   Modes Mode = Modes::Property;
   int Component = 0;
-  bool AreBlended = false; ///< Property: all components are drawn, not only one
+  bool AreBlended = false; ///< Property: all components are drawn, not just one
 };
 
-/// The scalar that is drawn of an array's tuples.
+/// The drawn scalar of an array's tuples.
 struct DrawnComponent
 {
-  /// A number that differs for each scalar, even for components that no array has.
+  /// A number that identifies the scalar, even for components that no array has.
   double Key() const { return this->IsMagnitude ? 0.5 : this->Number; }
 
   bool IsMagnitude = false; ///< the length of each tuple
   int Number = 0;           ///< of the component, which the array may lack
   int OfProperty = 0;       ///< component of the property that gives colour and shading
-  int Count = 1;            ///< components drawn, that one and the next ones
+  int Count = 1;            ///< number of drawn components, from Number on
 };
 
-/// \param components of the array; 0 if there is none
+/// \param components of the array; 0 without an array
 DrawnComponent ChooseComponent(
   vtkVolumeProperty* property, const VectorChoice& vectors, int components);
 

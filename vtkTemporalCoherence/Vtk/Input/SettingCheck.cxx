@@ -11,7 +11,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// A number with as few digits as identify it, but at least six.
+/// The shortest text that identifies a number, with at least six digits.
 std::string InDigits(double value)
 {
   std::string text;

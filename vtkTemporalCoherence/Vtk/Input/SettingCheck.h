@@ -47,11 +47,12 @@ struct SettingOwner
   const char* Of = ""; ///< their owner, "the renderer"
 };
 
-/// Checks the settings of one object. The first one that is not finite or out of range is an error.
+/// Checks the settings of one object. The first invalid number (infinite, NaN or out of range) is
+/// an error.
 class SettingCheck
 {
 public:
-  /// \param error gets what is wrong and what to do about it; must outlive this
+  /// \param error receives the mistake and its remedy; must outlive this
   SettingCheck(const SettingOwner& owner, std::string& error)
     : Owner(owner)
     , Error(error)
@@ -61,7 +62,7 @@ public:
   /// \param remedy the function to call with another number
   void operator()(const char* setting, double value, const NumberRange& range, const char* remedy);
 
-  /// The same for three numbers.
+  /// Check three numbers.
   void operator()(
     const char* setting, const double* values, const NumberRange& range, const char* remedy);
 

@@ -15,8 +15,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// A transform is singular if it maps the unit box to less than this share of the volume of a box
-/// with the same edges.
+/// A transform with a smaller Flatness() counts as singular.
 constexpr double FlattestBox = 1e-12;
 
 /// The length of an edge, also if its square overflows or underflows.
@@ -26,8 +25,8 @@ double LengthOf(const glm::dvec3& edge)
   return largest > 0.0 ? largest * glm::length(edge / largest) : 0.0;
 }
 
-/// Volume of the transformed unit box, as a share of that of a box with the same edges; 0 if the
-/// matrix is singular.
+/// Volume of the transformed unit box, divided by the volume of a rectangular box with equal edges;
+/// 0 if the matrix is singular.
 double Flatness(const glm::dmat4& matrix)
 {
   glm::dmat3 m(matrix);
@@ -82,7 +81,7 @@ bool PlaceVolume(vtkVolume* volume, IndexTransform& transform, std::string& erro
   const glm::dmat4 volumeMatrix = MatrixFromVtk(matrix);
   transform.WorldFromIndex = volumeMatrix * transform.WorldFromIndex;
 
-  // The matrix of the prop, including its user matrix.
+  // This matrix includes the user matrix.
   const glm::dvec3 scale(
     glm::length(volumeMatrix[0]), glm::length(volumeMatrix[1]), glm::length(volumeMatrix[2]));
   const double* last = matrix->GetData() + 12;

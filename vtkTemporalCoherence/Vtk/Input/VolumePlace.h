@@ -17,11 +17,11 @@ namespace TemporalCoherence
 
 bool IsFinite(const glm::dmat4& matrix);
 
-/// True if a matrix maps the unit box to something so flat that it has no use as an inverse.
+/// True if a matrix flattens the unit box so much that its inverse is useless.
 bool IsFlat(const glm::dmat4& matrix);
 
 /// Apply the transform of the volume to one from index space to the volume's own coordinates.
-/// \param error gets what is wrong and what to do about it
+/// \param error receives the mistake and its remedy
 /// \return false on error
 bool PlaceVolume(vtkVolume* volume, IndexTransform& transform, std::string& error);
 

@@ -16,7 +16,7 @@ namespace TemporalCoherence
 
 /// The colours of a frame as vtkGPUVolumeRayCastMapper returns them. The colour of a miss is 0, or
 /// white with an alpha of 0 if the ray misses the box of the samples.
-/// \param key that the frame was made for
+/// \param key of the frame
 /// \throws std::bad_alloc; the image is then unchanged
 void WriteColors(const Frame& frame, const FrameKey& key, vtkImageData* image);
 

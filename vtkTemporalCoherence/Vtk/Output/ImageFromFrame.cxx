@@ -35,7 +35,7 @@ constexpr std::array<ArrayFormat, 5> Formats = { {
   { AnswerArray, "Answer", VTK_UNSIGNED_CHAR, 1 },
 } };
 
-/// The image's own array if it fits and nobody else refers to it, or a new one.
+/// The image's own array if it fits and nothing else refers to it, or a new one.
 vtkSmartPointer<vtkDataArray> RoomIn(
   vtkImageData* image, const ArrayFormat& format, vtkIdType pixels)
 {
@@ -53,8 +53,8 @@ vtkSmartPointer<vtkDataArray> RoomIn(
   return made;
 }
 
-/// An image on its way to be filled. All memory is taken here: the caller's image is changed only
-/// when nothing can fail any more.
+/// A new image with arrays to fill. The constructor takes all memory: the caller's image changes
+/// only when nothing can fail any more.
 class Target
 {
 public:

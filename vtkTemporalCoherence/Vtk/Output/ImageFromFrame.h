@@ -16,7 +16,7 @@ namespace TemporalCoherence
 {
 
 /// The point arrays of a frame, one bit each: vtkTemporalCoherenceVolumeMapper::FrameArrays, whose
-/// comments and Documentation/Mapper.md tell what they hold.
+/// comments and Documentation/Mapper.md describe them.
 enum FrameArray
 {
   ColorArray = 1,
@@ -27,18 +27,18 @@ enum FrameArray
   AllFrameArrays = 31
 };
 
-/// An image, and the arrays that it gets.
+/// An image with the selection of its arrays.
 struct FrameImage
 {
-  vtkImageData* Image = nullptr; ///< null gets nothing
+  vtkImageData* Image = nullptr; ///< null: ignored
   int Arrays = 0;                ///< a sum of FrameArray
 };
 
-/// Write arrays of a frame into images. Each image has the frame's size then, and these arrays and
-/// nothing else. The first array is the active scalars. An array that the image has already, and
-/// that nobody else refers to, keeps its memory.
+/// Write arrays of a frame into images. Each image then has the frame's size, these arrays, and
+/// nothing else. The first array is the active scalars. An existing array of the image keeps its
+/// memory if nothing else refers to it.
 /// \param places position in the property's list of each isovalue of the frame
-/// \throws std::bad_alloc, the images then being as they were
+/// \throws std::bad_alloc, the images are then unchanged
 void WriteImages(
   const Frame& frame, const std::vector<int>& places, const std::vector<FrameImage>& images);
 

@@ -27,7 +27,7 @@ namespace
 /// Rows per task.
 constexpr std::int64_t RowGrain = 16;
 
-/// The number of hits before each row, and at last in all rows.
+/// The number of hits before each row; the last number is the total.
 std::vector<vtkIdType> CountHits(const Frame& frame)
 {
   std::vector<vtkIdType> before(static_cast<std::size_t>(frame.Size.y) + 1, 0);

@@ -27,7 +27,7 @@ struct Edge
   int Way; ///< 1: the part has it in this direction, -1: in the other one
 };
 
-/// All edges, those between the same points one after another.
+/// All edges of a surface, sorted by their end points.
 std::vector<Edge> EdgesOf(const Surface& surface)
 {
   std::vector<Edge> edges;
@@ -47,7 +47,7 @@ std::vector<Edge> EdgesOf(const Surface& surface)
   return edges;
 }
 
-/// Call a function with the first and the last of the edges between the same points.
+/// Call function(first, end) for each run of edges with equal end points.
 template <typename Function>
 void ForEachEdge(const std::vector<Edge>& edges, const Function& function)
 {
@@ -60,7 +60,7 @@ void ForEachEdge(const std::vector<Edge>& edges, const Function& function)
   }
 }
 
-/// True if each edge is there as often in one direction as in the other.
+/// True if every edge occurs equally often in both directions.
 bool IsClosed(const std::vector<Edge>& edges, const std::vector<int>& turns)
 {
   bool isClosed = true;
@@ -77,7 +77,7 @@ bool IsClosed(const std::vector<Edge>& edges, const std::vector<int>& turns)
   return isClosed;
 }
 
-/// True if a part is so thin that its normal is rounding.
+/// True if a part is so thin that its normal consists of rounding errors.
 bool IsFlat(const Points& points, const SurfacePart& part, const glm::dvec3& normal)
 {
   double longest = 0.0;
@@ -102,8 +102,7 @@ double VolumeBefore(const Points& points, const SurfacePart& part, const glm::dv
   return volume;
 }
 
-/// Which parts to turn so that those with a common edge fit each other. The parts that hang
-/// together are numbered.
+/// Find the parts to turn so that parts with a common edge agree. Number the connected pieces.
 void FitTogether(const Surface& surface, const std::vector<Edge>& edges, std::vector<int>& turns,
   std::vector<std::size_t>& pieces)
 {
@@ -164,9 +163,9 @@ glm::dvec3 NormalOf(const Points& points, const SurfacePart& part)
 namespace
 {
 
-/// The height of a cone over a part, times twice the area of the part.
-/// \param way 1: of a cone behind the part, -1: before it. Not positive if the cone is turned over
-///            somewhere.
+/// Height of a cone over a part, times twice the area of the part.
+/// \param way 1: a cone behind the part; -1: in front of it. The result is not positive if the cone
+///            is inverted somewhere.
 double VolumeBehind(const Points& points, const SurfacePart& part, const glm::dvec3& normal,
   const glm::dvec3& from, double way)
 {
@@ -174,7 +173,7 @@ double VolumeBehind(const Points& points, const SurfacePart& part, const glm::dv
   {
     return way * glm::dot(normal, PointAt(points, part, 0) - from);
   }
-  // Where a cone over a bilinear part is turned over, it is so at a corner.
+  // A cone over a bilinear part is inverted at a corner if it is inverted anywhere.
   constexpr double rounding = 1e-9;
   double sum = 0.0, least = 0.0;
   for (std::size_t c = 0; c < part.Size; ++c)

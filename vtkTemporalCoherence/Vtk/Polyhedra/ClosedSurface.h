@@ -22,28 +22,27 @@ struct SurfacePart
   std::int32_t At(std::size_t corner) const { return this->Points[corner % this->Size]; }
 };
 
-/// Twice the area along the normal at a corner, or of the whole part. From where its points are
-/// counter-clockwise, the normal points at who looks.
+/// Normals at a corner and of a whole part, with twice the area as length. They point to the side
+/// from which the points run counter-clockwise.
 glm::dvec3 NormalAt(
   const std::vector<glm::dvec3>& points, const SurfacePart& part, std::size_t corner);
 glm::dvec3 NormalOf(const std::vector<glm::dvec3>& points, const SurfacePart& part);
 
-/// How far a point lies behind a part. Negative if it does not lie there for each place in the
-/// part, so that a cone from the point over the part would be turned over somewhere; infinite if
-/// the part has no area.
-/// \param way -1: how far it lies before the part
+/// Height of a point behind a part. Negative if a cone from the point over the part would be
+/// inverted somewhere; infinite if the part has no area.
+/// \param way 1: height behind the part; -1: height in front of it
 double HeightBehind(const std::vector<glm::dvec3>& points, const SurfacePart& part,
   const glm::dvec3& from, double way = 1.0);
 
-/// True if the mean of the first points, which are the corners of the cell, lies behind all parts
-/// or before all of them. \param share of the largest height of a corner, divided by the number of
-/// corners, which the mean
-///              has to have. In a convex cell it has at least a share of 1.
+/// True if the mean of the cell's corners lies behind all parts, or in front of all.
+/// \param corners number of the cell's corners, which are the first points
+/// \param share   smallest height of the mean over each part, in units of the largest height of a
+///                corner, divided by `corners`. Convex cells reach a share of 1.
 bool IsSeenFromMean(const std::vector<glm::dvec3>& points, std::size_t corners,
   const std::vector<SurfacePart>& surface, double share);
 
 /// Turn parts so that their points are counter-clockwise as seen from outside.
-/// \return false if they do not close
+/// \return false if the surface is not closed
 bool TurnOutwards(const std::vector<glm::dvec3>& points, std::vector<SurfacePart>& surface);
 
 }

@@ -21,10 +21,10 @@ namespace
 
 constexpr double Rounding = 1e-9;
 
-/// The least height of a cone that is made.
+/// Smallest height of a cone.
 constexpr double LeastHeight = 1e-5;
 
-/// The points of a part, or of a cone over one.
+/// The convex hull of a part, or of a cone over a part.
 struct Hull
 {
   std::array<glm::dvec3, 5> Points;
@@ -33,8 +33,7 @@ struct Hull
   void Add(const glm::dvec3& point) { this->Points[this->Size++] = point; }
 };
 
-/// True if a plane with this normal has one hull before and the other one behind it. Both may
-/// touch it.
+/// True if a plane with this normal separates two hulls. Both may touch it.
 bool IsBetween(const glm::dvec3& normal, const Hull& a, const Hull& b)
 {
   const double length = glm::length(normal);
@@ -75,8 +74,8 @@ bool HasPlaneBetween(const Hull& a, const Hull& b)
   return false;
 }
 
-/// True if the insides of two convex hulls have no point in common. If so, a plane between them
-/// has the direction of three points of one, or of an edge of each.
+/// True if the insides of two convex hulls have no point in common. If so, some separating plane is
+/// parallel to a hull's face, or to an edge of each hull.
 bool AreApart(const Hull& a, const Hull& b)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -152,8 +151,8 @@ private:
 class Divider
 {
 public:
-  /// \param attempt each one looks from other places; every other one takes that which sees most
-  ///                instead of that which leaves least
+  /// \param attempt number of the attempt. Attempts try different places. Even ones take the place
+  ///                that leaves the fewest parts, odd ones the place that sees most
   Divider(const std::vector<glm::dvec3>& points, const std::vector<SurfacePart>& surface,
     const SurfaceWeights& weights, int attempt)
     : Points(points)
@@ -164,7 +163,7 @@ public:
   {
   }
 
-  /// \param work how many more pairs may be compared
+  /// \param work remaining budget of compared pairs
   bool Divide(std::int64_t& work)
   {
     const std::size_t mostPoints = this->Rest.size() / 2 + 4;
@@ -206,14 +205,14 @@ private:
   bool CutOff(const glm::dvec3& from, const std::vector<char>& parts);
 
   std::vector<glm::dvec3> Points;
-  std::vector<SurfacePart> Rest; ///< the surface of what is not divided yet
+  std::vector<SurfacePart> Rest; ///< the surface of the undivided rest
   std::size_t Given;
   const SurfaceWeights& Weights;
   int Attempt;
 };
 
-/// Find a point that lies behind all parts of the rest: step to the inner side of the plane that is
-/// missed by most, until none is. The point lies about as far inside as one can.
+/// Find a point behind all parts of the rest, about as far inside as possible: step behind the
+/// plane that the point misses most, until it misses none.
 bool Divider::FindKernel(glm::dvec3& kernel) const
 {
   struct Plane
@@ -269,8 +268,8 @@ bool Divider::FindKernel(glm::dvec3& kernel) const
   return best > LeastHeight;
 }
 
-/// Find a place half way between a part and what lies behind it, but not quite, as symmetric cells
-/// would have places in the planes of other parts.
+/// Find a place about half way between a part and the next part behind it. Exact middles of
+/// symmetric cells would lie in the planes of other parts.
 bool Divider::FindPlaceBehind(std::size_t part, glm::dvec3& place) const
 {
   constexpr double golden = 0.618033988749895, half = 0.43, spread = 0.02;
@@ -315,7 +314,7 @@ bool Divider::FindPlaceBehind(std::size_t part, glm::dvec3& place) const
   return std::isfinite(nearest);
 }
 
-/// The parts over which there is a cone that does not leave the rest.
+/// The parts whose cones from a point stay inside of the rest.
 std::vector<char> Divider::SeenFrom(const glm::dvec3& from) const
 {
   std::vector<char> seen(this->Rest.size(), 0);
@@ -338,7 +337,7 @@ std::vector<char> Divider::SeenFrom(const glm::dvec3& from) const
   return seen;
 }
 
-/// The edges of some parts together, in their direction.
+/// The boundary edges of some parts, in the direction of the parts.
 std::vector<std::pair<std::int32_t, std::int32_t>> Divider::RimOf(
   const std::vector<char>& parts) const
 {
@@ -360,7 +359,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> Divider::RimOf(
   return rim;
 }
 
-/// Find the place whose cones leave the rest with the fewest parts, or leave out most.
+/// Find the place whose cones leave the fewest parts or, in odd attempts, remove most parts.
 bool Divider::FindBest(glm::dvec3& best, std::vector<char>& seen, std::int64_t& work) const
 {
   constexpr std::size_t mostPlaces = 64;
@@ -388,12 +387,12 @@ bool Divider::FindBest(glm::dvec3& best, std::vector<char>& seen, std::int64_t& 
   return !seen.empty();
 }
 
-/// Make cones over some parts. Triangles between their point and the rim of these parts take the
-/// place of the parts in the surface of the rest.
-/// \return false if a cone is turned over
+/// Make cones from a point over some parts. In the surface of the rest, triangles between the point
+/// and the rim of these parts replace the parts.
+/// \return false if a cone is inverted
 bool Divider::CutOff(const glm::dvec3& from, const std::vector<char>& parts)
 {
-  // Mean value coordinates are exact to half of the digits. So the place follows from them.
+  // Mean value coordinates are exact to half of the digits. So the place is computed from them.
   constexpr double accuracy = 1e-7;
   const std::vector<double> weights = this->Weights.At(from);
   glm::dvec3 place(0.0);

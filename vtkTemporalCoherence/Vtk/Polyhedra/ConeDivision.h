@@ -13,39 +13,39 @@
 namespace TemporalCoherence
 {
 
-/// A part of a cell: what lies between a point and a base, which may have points inside, too.
+/// A part of a cell: the cone from an apex over a base. Both may use points inside of the cell.
 struct Cone
 {
   SurfacePart Base;
   std::int32_t Apex;
 };
 
-/// A cell as cones, which fill it once and do not leave it.
+/// The division of a cell into cones, which fill the cell exactly once.
 struct ConeDivision
 {
-  /// For each point inside, the weight of each given point. The weights add up to 1. The first
-  /// point inside has the number that follows those of the given points.
+  /// For each inner point, the weight of each given point. The weights add up to 1. Numbers of
+  /// inner points follow the numbers of given points.
   std::vector<std::vector<double>> Inside;
   std::vector<Cone> Cones;
 };
 
-/// What divisions may cost, in pairs of parts that are compared.
+/// Budget of divisions, in compared pairs of parts.
 struct DivisionWork
 {
-  std::int64_t OfOne = std::int64_t(1) << 25;      ///< about a second
-  std::int64_t OfFailed = std::int64_t(1) << 27;   ///< in vain, for all cells together
-  std::int64_t Afterwards = std::int64_t(1) << 15; ///< for each cell; some milliseconds
+  std::int64_t OfOne = std::int64_t(1) << 25;    ///< for one cell: about a second
+  std::int64_t OfFailed = std::int64_t(1) << 27; ///< for the failed divisions of all cells together
+  std::int64_t Afterwards = std::int64_t(1) << 15; ///< for each cell once that is spent; some ms
 };
 
 /// Divide a cell into cones over parts of its surface, and over triangles inside.
 ///
-/// A point that sees the whole surface is searched, so that one cone over each part does. Where
-/// there is none, the point of several that sees most gets the cones over what it sees. These are
-/// cut off, and the rest is divided in the same way.
+/// If a point sees the whole surface, it becomes the apex of one cone over each part. Otherwise the
+/// best of several points becomes the apex of cones over the parts that it sees. These cones are
+/// cut off, and the rest is divided likewise.
 ///
 /// \param points  in the unit cube
-/// \param surface closes, and is turned outwards
-/// \param work    is told what was in vain
+/// \param surface closed, and turned outwards
+/// \param work    loses the cost of a failed division
 /// \return false if no division was found
 bool DivideIntoCones(const std::vector<glm::dvec3>& points, const std::vector<SurfacePart>& surface,
   DivisionWork& work, ConeDivision& division);

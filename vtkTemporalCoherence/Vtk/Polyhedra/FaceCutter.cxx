@@ -13,7 +13,7 @@ namespace
 
 using Places = std::vector<glm::dvec3>;
 
-/// Along the normal of a face, twice as long as its area.
+/// The normal of a face, with twice the area as length.
 glm::dvec3 NormalOf(const Places& places)
 {
   glm::dvec3 normal(0.0);
@@ -41,9 +41,9 @@ bool IsConvex(const Places& places, double slack)
   return true;
 }
 
-/// True if the mean of the points lies on the inner side of each edge, at least by a share of the
-/// largest distance between a point and the edge. In a convex face, that is one in as many as there
-/// are points.
+/// True if the mean of the points lies on the inner side of each edge, by at least `share` times
+/// the largest distance of a point from the edge, divided by the number of points. Convex faces
+/// reach a share of 1.
 bool SeesItsEdges(const Places& places, double share)
 {
   const glm::dvec3 normal = NormalOf(places);
@@ -66,8 +66,8 @@ bool SeesItsEdges(const Places& places, double share)
   return true;
 }
 
-/// Places in a face, in an order that does not depend on how the face is given: it begins with the
-/// point with the lowest number and goes on with the lower one of those beside it.
+/// Places in a face in canonical order: from the point with the lowest number, towards its
+/// neighbour with the lower number.
 std::vector<std::size_t> CommonOrder(const std::vector<vtkIdType>& face)
 {
   const std::size_t size = face.size();
@@ -96,8 +96,8 @@ std::vector<std::size_t> CommonOrder(const std::vector<vtkIdType>& face)
 std::vector<FaceCutter::Triangle> FaceCutter::Cut(
   const std::vector<vtkIdType>& face, const Places& places)
 {
-  // Rounding depends on the order of the points. So what is not quite sure is decided in the order
-  // that all cells have in common.
+  // Rounding depends on the order of the points. So doubtful cases are decided in canonical order,
+  // which is equal for all cells.
   const bool isQuadrilateral = face.size() == 4;
   if (face.size() < 4 || (isQuadrilateral ? IsConvex(places, 0.0) : SeesItsEdges(places, 0.5)))
   {
@@ -140,7 +140,8 @@ std::vector<FaceCutter::Triangle> FaceCutter::CutEars(const Places& places)
   {
     return {};
   }
-  // The triangles together have the edges of the face. So if none is turned over, they cover it.
+  // The triangles together have the edges of the face. So they cover the face unless a triangle is
+  // inverted.
   const glm::dvec3 normal = NormalOf(places);
   std::vector<Triangle> triangles;
   for (vtkIdType t = 0; t < 3 * (size - 2); t += 3)

@@ -29,9 +29,8 @@ public:
 
   /// \param face   the numbers of its points, in order around it
   /// \param places of these points
-  /// \return nothing if the face needs no cut, as it is a triangle, a convex quadrilateral, or a
-  ///         polygon whose edges are all seen from the mean of its points; or if no cut is
-  ///         possible, as it crosses itself
+  /// \return no triangles for a triangle, a convex quadrilateral, and a polygon whose edges are all
+  /// visible from the mean of its points; and for a face that crosses itself
   std::vector<Triangle> Cut(
     const std::vector<vtkIdType>& face, const std::vector<glm::dvec3>& places);
 

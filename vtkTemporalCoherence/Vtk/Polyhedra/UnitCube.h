@@ -10,9 +10,9 @@
 namespace TemporalCoherence
 {
 
-/// Scale points to the unit cube. A thin set is turned to its principal axes and stretched until
-/// all its extents are alike: otherwise, what is done to it in double precision would lose most of
-/// it. \return false if they lie in a plane
+/// Scale points to the unit cube. A thin set is turned to its principal axes and stretched to equal
+/// extents: otherwise, work in double precision would lose most of its shape.
+/// \return false if the points lie in a plane
 bool ScaleToUnit(const std::vector<glm::dvec3>& points, std::vector<glm::dvec3>& scaled);
 
 }

@@ -167,7 +167,7 @@ bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* ren
   appearance.TwoSided = renderer->GetTwoSidedLighting() != 0;
   if (appearance.Lights.empty())
   {
-    // As polygons look without a light: lit evenly, not black.
+    // Without a light, surfaces are lit evenly like polygons, not black.
     appearance.Ambient += appearance.Diffuse;
   }
   return true;

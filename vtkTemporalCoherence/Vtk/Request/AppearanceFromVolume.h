@@ -19,15 +19,15 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The list of isovalues: that of the property or, if it is empty or VTK's default of a single 0,
-/// another one.
+/// The list of isovalues: the property's own list or, if it is empty or VTK's default (a single 0),
+/// the other list.
 /// \param other may be null
 vtkContourValues* ChooseIsovalues(vtkVolumeProperty* property, vtkContourValues* other);
 
-/// Find the isovalues of a list whose opacity is not 0, each once, and their opacities.
-/// \param component whose opacity the property gives
-/// \param places    gets the position in the list of each isovalue shown
-/// \param error     gets what is wrong and what to do about it
+/// Find the isovalues of a list with an opacity above 0, each once, with their opacities.
+/// \param component of the property, for opacities
+/// \param places    receives the position in the list of each isovalue found
+/// \param error     receives the mistake and its remedy
 /// \return false on error, for example if an isovalue or an opacity is not a finite number
 bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int component,
   Surfaces& surfaces, std::vector<int>& places, std::string& error);
@@ -36,10 +36,10 @@ bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int compo
 bool IsOpaque(vtkContourValues* list, vtkVolumeProperty* property, int component);
 
 /// Make the appearance: colours at the isovalues, shading of a component of the property, and
-/// lights of the renderer. Only what the picture depends on is checked: if shading is off, its
-/// coefficients may have any value.
+/// lights of the renderer. Numbers without effect are not checked, for example coefficients if
+/// shading is off.
 /// \param appearance is empty before
-/// \param error      gets what is wrong and what to do about it
+/// \param error      receives the mistake and its remedy
 /// \return false on error, for example if a colour is NaN
 bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
   const std::vector<double>& isovalues, Appearance& appearance, std::string& error);

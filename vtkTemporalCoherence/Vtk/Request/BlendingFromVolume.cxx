@@ -29,7 +29,7 @@ bool MakeMaterial(vtkVolumeProperty* property, int component, Material& made, st
   made.Shade = property->GetShade(component) != 0;
   if (!made.Shade)
   {
-    return true; // its numbers have no effect
+    return true; // other numbers have no effect
   }
   made.Ambient = property->GetAmbient(component);
   made.Diffuse = property->GetDiffuse(component);
@@ -43,18 +43,18 @@ bool MakeMaterial(vtkVolumeProperty* property, int component, Material& made, st
   return check.HasPassed();
 }
 
-/// How long a unit of the data's coordinates is in the world. VTK's mappers measure distances along
-/// rays in the data's coordinates.
+/// World length of a unit of the data's coordinates, in which VTK's mappers measure distances along
+/// rays.
 double LengthOfUnit(vtkVolume* volume)
 {
   volume->ComputeMatrix();
   const glm::dmat3 axes(MatrixFromVtk(volume->GetMatrix()));
   const double length = std::cbrt(std::abs(glm::determinant(axes)));
-  return length > 0.0 && std::isfinite(length) ? length : 1.0; // PlaceVolume tells what is wrong
+  return length > 0.0 && std::isfinite(length) ? length : 1.0; // PlaceVolume reports the mistake
 }
 
-/// How components are used together.
-/// \return false if that many are not
+/// Find the way to use components together.
+/// \return false if their number has no meaning
 bool FindUse(
   vtkVolumeProperty* property, const DrawnComponent& drawn, ComponentUse& use, std::string& error)
 {
@@ -86,8 +86,8 @@ bool FindUse(
   return error.empty();
 }
 
-/// A somewhat wider range that other samples hardly change, so that functions are rarely sampled
-/// again for the next time step.
+/// A slightly wider range with rounded ends, so that functions need not be sampled again for each
+/// time step.
 glm::dvec2 Rounded(const glm::dvec2& range)
 {
   const double width = range.y - range.x;
@@ -153,7 +153,7 @@ bool BlendingFromVolume::Make(vtkVolumeMapper* mapper, vtkVolume* volume,
   }
   SettingCheck check({ "the mapper" }, error);
   check("SampleDistance", sampleDistance, { 0.0, Allowed::Distance.High },
-    "SetSampleDistance(0), which converges");
+    "FixedStepSamplingOff(), which converges");
   if (!check.HasPassed())
   {
     return false;
@@ -164,8 +164,8 @@ bool BlendingFromVolume::Make(vtkVolumeMapper* mapper, vtkVolume* volume,
   made.Looks.assign(static_cast<std::size_t>(looks), ComponentLook());
   for (int i = 0; i < looks; ++i)
   {
-    // Of components that depend on one another, VTK's GPU mapper takes the functions of the first
-    // one and the unit distance of the last one.
+    // For dependent components, VTK's GPU mapper takes the functions of the first component and the
+    // unit distance of the last one.
     const int component = drawn.OfProperty + i;
     const int last = drawn.OfProperty + drawn.Count - 1;
     const int ofOpacity = made.Use == ComponentUse::Independent ? component : last;
@@ -177,7 +177,7 @@ bool BlendingFromVolume::Make(vtkVolumeMapper* mapper, vtkVolume* volume,
   }
   if (looks == 1)
   {
-    made.Looks.front().Weight = 1.0; // nothing to weigh it against
+    made.Looks.front().Weight = 1.0; // a single look needs no weight
   }
   return true;
 }
@@ -210,7 +210,7 @@ void BlendingFromVolume::MakeTransfers(ScalarType type, Blending& made)
     glm::dvec2 range = made.ScalarRanges[i];
     if (made.Use != ComponentUse::Independent)
     {
-      // The last component gives the opacity. Of two, the first one asks for colours.
+      // The last component gives the opacity. Of two components, the first one gives colours.
       range = made.ScalarRanges.back();
       if (made.Use == ComponentUse::ColorOpacity)
       {
@@ -221,7 +221,7 @@ void BlendingFromVolume::MakeTransfers(ScalarType type, Blending& made)
     // Differences of neighbours are at most as large as the range.
     GradientOpacity& byGradient = made.Looks[i].ByGradient;
     LeaveOutBeyond((range.y - range.x) * glm::length(byGradient.PerStep), byGradient);
-    const bool areColors = made.Use == ComponentUse::RgbOpacity; // with an end at that of the range
+    const bool areColors = made.Use == ComponentUse::RgbOpacity; // functions end with the range
     made.Looks[i].Transfer = this->Transfers[this->FirstTransfer + i].Sample(
       { areColors ? range : Rounded(range), areColors });
   }
@@ -249,7 +249,7 @@ bool BlendingFromVolume::MakeLights(
   appearance.TwoSided = renderer->GetTwoSidedLighting() != 0;
   if (appearance.Lights.empty())
   {
-    // As isosurfaces look without a light: lit evenly, not black.
+    // Without a light, volumes are lit evenly like isosurfaces, not black.
     for (ComponentLook& look : blending.Looks)
     {
       look.Material.Ambient += look.Material.Diffuse;

@@ -23,28 +23,26 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The most components that are blended.
+/// Limit of blended components.
 constexpr int MostBlended = 4;
 
-/// The mode of a mapper; none if this library does not have it.
+/// The blend mode of a mapper; none if the library lacks it.
 std::optional<BlendMode> BlendModeOf(vtkVolumeMapper* mapper);
 
-/// Makes what a volume looks like other than by isosurfaces. It keeps the samples of transfer
-/// functions.
+/// Makes the settings of blended volumes. Keeps the samples of transfer functions.
 class BlendingFromVolume
 {
 public:
-  /// Make all that mapper and property tell but transfer functions. Samples of other components,
-  /// ranges of scalars and ends of rays are not touched.
+  /// Make all settings of mapper and property except transfer functions. Samples of other
+  /// components, ranges of scalars and ends of rays are not touched.
   /// \param drawn          the components of the array, and of the property
-  /// \param sampleDistance as set by the user, in coordinates of the data; 0: as dense as the
-  ///                       picture needs
-  /// \param error          gets what is wrong and what to do about it
+  /// \param sampleDistance as set by the user, in coordinates of the data; 0: converged
+  /// \param error          receives the mistake and its remedy
   /// \return false on error, for example if an opacity is NaN
   bool Make(vtkVolumeMapper* mapper, vtkVolume* volume, const DrawnComponent& drawn,
     double sampleDistance, Blending& made, std::string& error);
 
-  /// Make the transfer functions of what was made last, by the range of each component.
+  /// Make the transfer functions for the last call of Make, over the range of each component.
   /// \param type of the samples
   void MakeTransfers(ScalarType type, Blending& made);
 
@@ -58,7 +56,7 @@ private:
   bool MakeLook(
     vtkVolume* volume, int component, int ofOpacity, ComponentLook& look, std::string& error);
 
-  /// By component of the property. Those of the last volume begin with one of them.
+  /// By component of the property. The last volume uses them from FirstTransfer on.
   std::array<SampledTransfer, MostBlended> Transfers;
   std::size_t FirstTransfer = 0;
 };

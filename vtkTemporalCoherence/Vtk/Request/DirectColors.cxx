@@ -30,8 +30,7 @@ glm::dvec2 SharesOf(ScalarType type, const glm::dvec2& ofData)
   }
 }
 
-/// The value that stands for a value of the data: its place in the range of the data is taken in
-/// that of shares.
+/// Maps a value linearly from the range of the data to the range of shares.
 double Stretched(double value, const glm::dvec2& ofData, const glm::dvec2& shares)
 {
   return shares.x + (value - ofData.x) / (ofData.y - ofData.x) * (shares.y - shares.x);
@@ -49,7 +48,7 @@ void ShowDirectColors(ScalarType type, Blending& volume)
     range = SharesOf(type, range);
   }
 
-  // All values of a range without width stand for the same one.
+  // A range without width has a single value and cannot be stretched.
   const glm::dvec2 &opacities = ofData.back(), &first = ofData.front();
   glm::dvec2& transfer = volume.Looks.front().Transfer.Range;
   if (opacities.x < opacities.y)

@@ -8,13 +8,13 @@
 namespace TemporalCoherence
 {
 
-/// Give four components that depend on each other the meaning that VTK's GPU mapper gives them.
+/// Give four dependent components the meaning that they have in VTK's GPU mapper.
 ///
-/// They are shares, as its textures hold them: of the largest number of a type of 8 or 16 bits, the
-/// values themselves if they are floats, and shares of the range of the data otherwise. The first
-/// three are a colour. The last one tells a place between the ends of its range, whose opacity
-/// counts; so does the first one, for AverageRange.
-/// \param volume of the use RgbOpacity. Its ScalarRanges and functions are those of the data.
+/// They are shares, as in its textures: shares of the largest number for types of 8 or 16 bits,
+/// plain values for floats, and shares of the data's range otherwise. The first three are a colour.
+/// The share of the last one selects a value in its range, whose opacity counts. AverageRange
+/// treats the share of the first one likewise.
+/// \param volume of the use RgbOpacity, with ScalarRanges and functions in units of the data.
 /// \param type   of the samples
 void ShowDirectColors(ScalarType type, Blending& volume);
 

@@ -35,7 +35,7 @@ bool HasFlag(vtkUnsignedCharArray* ghosts, int flag)
       [=](unsigned char value) { return (value & flag) != 0; });
 }
 
-/// True if a data object is marked as one of several.
+/// True if duplicate flags mark a data object as one of several pieces.
 bool IsPiece(vtkDataObject* data)
 {
   auto* dataSet = vtkDataSet::SafeDownCast(data);
@@ -44,7 +44,7 @@ bool IsPiece(vtkDataObject* data)
       HasFlag(GhostsOf(dataSet->GetPointData()), vtkDataSetAttributes::DUPLICATEPOINT));
 }
 
-/// True if blocks of a tree are missing, or are marked as some of several.
+/// True if blocks of a tree are missing, or are marked as pieces.
 bool HasPieces(vtkDataObjectTree* tree)
 {
   const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());

@@ -22,9 +22,9 @@ struct DrawnVolume
   vtkRenderer* Renderer;
 };
 
-/// True if settings may be meant for more data than the mapper has: if its input is a piece of a
-/// pipeline's data or one block of several, or if several volumes share the property. Reads ghost
-/// arrays, which takes a while.
+/// True if settings may be meant for more data than the mapper's input: for a piece of a pipeline's
+/// data, for one block of several, and if several volumes share the property. Reads ghost arrays,
+/// which takes a while.
 bool MaySeePartOnly(const DrawnVolume& drawn);
 
 }

@@ -14,11 +14,11 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// True for data without any cell with volume whose picture is empty, which is no mistake: images
-/// and rectilinear grids that are too thin, and a piece of data that other processes have more of.
+/// True if data without a cell of positive volume are no mistake, but give an empty picture: thin
+/// images and rectilinear grids, and pieces of distributed data.
 bool MayBeEmpty(vtkDataObject* data);
 
-/// Tells that data have no cells with volume, and what to do about it.
+/// The error message for data without cells of positive volume, with the remedy.
 std::string WhyThereIsNoVolume(vtkDataObject* data);
 
 }

@@ -28,7 +28,7 @@ bool EmptyPicture::AreAllHidden(const Field& shown)
 std::string EmptyPicture::FindReason(
   vtkDataObject* data, const Field& shown, const ValueRangePyramid& ranges)
 {
-  const bool isMesh = shown.Kind->Abilities().IsMesh;
+  const bool isMesh = shown.Shape->Abilities().IsMesh;
   if (!shown.HasCells())
   {
     if (data->GetNumberOfElements(vtkDataObject::POINT) == 0)
@@ -51,7 +51,7 @@ std::string EmptyPicture::FindReason(
     return "All cells of the input are hidden by its ghost array 'vtkGhostType', a mask or samples "
            "that are NaN; remove the flags or the mask, or choose another array or time step.";
   }
-  if (isMesh && !(shown.Kind->VoxelSizeIn(IndexTransform()).Longest > 0.0))
+  if (isMesh && !(shown.Shape->VoxelSizeIn(IndexTransform()).Longest > 0.0))
   {
     return "All points of each cell of the input lie at one place, so that no cell has a size; see "
            "that its source sets the points.";

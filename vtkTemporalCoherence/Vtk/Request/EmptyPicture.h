@@ -3,10 +3,10 @@
 #ifndef TemporalCoherence_EmptyPicture_h
 #define TemporalCoherence_EmptyPicture_h
 
-#include "Acceleration/HiddenCells.h"
 #include "Acceleration/ValueRangePyramid.h"
 #include "Request/DrawnVolume.h"
 #include "Scene/Field.h"
+#include "Scene/HiddenCells.h"
 
 #include <vtkDataObject.h>
 #include <vtkVolume.h>
@@ -19,26 +19,26 @@
 namespace TemporalCoherence
 {
 
-/// Warns of input that cannot show anything, whatever its isovalues are: without samples, with all
-/// cells hidden, with samples that all are NaN, or with all points at one place. It warns once for
-/// each volume, and again only after the reason was gone. It does not warn of input that is too
-/// thin for cells, nor where the mapper may have a part of the data only.
+/// Warns of input that shows nothing at any isovalue: without samples, with all cells hidden, with
+/// NaN in every cell, or with all points of each cell at one place. It warns once for each volume,
+/// and again only after the reason was gone. It ignores input too thin for cells, and mappers that
+/// may draw a part of larger data.
 class EmptyPicture
 {
 public:
-  /// \param shown  the samples of the frame that was made, with their hidden cells
+  /// \param shown  the samples of the present frame, with their hidden cells
   /// \param ranges of the samples; not read if they have no cells
-  /// \return what is wrong and what to do about it; empty if there is no warning
+  /// \return the warning with its remedy; empty without a warning
   std::string Check(const DrawnVolume& drawn, const Field& shown, const ValueRangePyramid& ranges);
 
-  /// True if the volume's user was warned, and the reason is still there.
+  /// True if a warning was given for the volume, and its reason persists.
   bool IsTold(const vtkVolume* volume) const;
 
 private:
   std::string FindReason(vtkDataObject* data, const Field& shown, const ValueRangePyramid& ranges);
   bool AreAllHidden(const Field& shown);
 
-  /// What a volume was told.
+  /// A volume, and the reason of its last warning.
   struct Story
   {
     vtkWeakPointer<vtkVolume> Of;
@@ -47,7 +47,7 @@ private:
 
   std::vector<Story> Stories;
   std::weak_ptr<const HiddenCells> Counted; ///< the last hidden cells
-  bool WereAllHidden = false;               ///< these were all cells
+  bool WereAllHidden = false;               ///< all cells of the field
 };
 
 }

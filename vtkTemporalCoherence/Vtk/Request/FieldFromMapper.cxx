@@ -47,7 +47,7 @@ bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   }
   try
   {
-    // Levels of an adaptive grid are a mesh together, but one alone is an image.
+    // Several levels of an adaptive grid are a mesh; one level alone is an image.
     auto* amr = AdaptiveGrid::SafeDownCast(data);
     this->OnlyLevel = amr && HasOneLevel(amr) ? BlocksOf(amr) : nullptr;
     vtkDataObject* drawn = this->OnlyLevel ? this->OnlyLevel.Get() : data;

@@ -20,31 +20,31 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The first port other than 0 with an input; 0 if there is none.
+/// The first port other than 0 with an input, or 0.
 int OtherInputPort(vtkVolumeMapper* mapper);
 
-/// Makes the field that a mapper draws. This is where the input is told to be an image or a mesh:
-/// each has a source of its own, and nothing else asks.
+/// Makes the field that a mapper draws. It alone decides between the sources for images and for
+/// meshes.
 class FieldFromMapper
 {
 public:
-  /// Find what there is to draw, by isosurfaces or, if components are to be blended, otherwise.
-  /// \param found gets which components are drawn
-  /// \param error gets what is wrong and what to do about it
+  /// Find the data to draw, by isosurfaces or blended (VectorChoice::AreBlended).
+  /// \param found receives the components to draw
+  /// \param error receives the mistake and its remedy
   /// \return false on error
   bool Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property, const VectorChoice& vectors,
     DrawnComponent& found, std::string& error);
 
-  /// True if there is nothing to draw of what was found, which is no mistake: the picture is empty.
+  /// True if the found data show nothing, which is no mistake: the picture is empty.
   bool IsEmpty() const { return this->Source->IsEmpty(); }
 
-  /// Make the field of what was found.
+  /// Make the field of the found data.
   /// \pre Find has returned true, and IsEmpty is false
   /// \param error as above; empty if the query's report stopped it
   /// \return false on error, or if it was stopped
   bool Make(const FieldQuery& query, PlacedField& field, std::string& error);
 
-  /// Drop what was computed.
+  /// Drop all computed arrays.
   void Release();
 
 private:
@@ -52,7 +52,7 @@ private:
 
   ImageSource Images;
   MeshSource Meshes;
-  FieldSource* Source = nullptr;            ///< of the data that were found
+  FieldSource* Source = nullptr;            ///< of the found data
   vtkSmartPointer<vtkDataObject> OnlyLevel; ///< of an adaptive grid, as blocks; or null
 };
 

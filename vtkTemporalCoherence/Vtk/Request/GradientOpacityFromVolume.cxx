@@ -31,7 +31,7 @@ bool CheckNode(int i, const double node[4], std::string& error)
 bool MakeGradientOpacity(
   vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error)
 {
-  // Nodes are joined by straight lines, unless they have a midpoint or a sharpness of their own.
+  // Straight lines join the nodes, unless they have their own midpoint or sharpness.
   constexpr int ManyNodes = 4096;
   made.Nodes.clear();
   if (property->GetDisableGradientOpacity(component) || !property->HasGradientOpacity(component))
@@ -53,7 +53,7 @@ bool MakeGradientOpacity(
   }
   if (!isStraight)
   {
-    // As many between two neighbours each, as some may be far away.
+    // Every pair of neighbours gets equally many nodes, because pairs may be far apart.
     const std::vector<glm::dvec2> few = made.Nodes;
     const auto between = std::max(ManyNodes / static_cast<int>(few.size()), 16);
     made.Nodes.clear();

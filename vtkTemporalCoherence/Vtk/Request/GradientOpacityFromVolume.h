@@ -16,13 +16,13 @@ namespace TemporalCoherence
 {
 
 /// Make the nodes of the gradient opacity of a component of the property.
-/// \param error gets what is wrong and what to do about it
+/// \param error receives the mistake and its remedy
 /// \return false on error, for example if a node is NaN
 bool MakeGradientOpacity(
   vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error);
 
-/// Leave out nodes at magnitudes that no gradient has: tables are spread over all nodes.
-/// \param steepest that a gradient may be
+/// Leave out nodes beyond the steepest gradient, because tables spread over all nodes.
+/// \param steepest bound of the gradient magnitude
 void LeaveOutBeyond(double steepest, GradientOpacity& opacity);
 
 }

@@ -16,7 +16,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// True if there can be a surface: some samples are inside and others are not.
+/// True if a surface is possible: samples lie inside and outside of the isovalue.
 bool IsMet(double isovalue, SurfaceMode mode, const glm::dvec2& range)
 {
   // If all samples are inside a THRESHOLD solid, its caps are visible.
@@ -35,7 +35,7 @@ bool IsUntouched(vtkContourValues* list)
   return list->GetNumberOfContours() == 1 && list->GetValue(0) == 0.0;
 }
 
-/// Why isovalues separate no samples, and what to do: the end of a message.
+/// Write the end of a message: the reason why isovalues separate no samples, and the remedy.
 void Explain(const ValueRangePyramid& ranges, std::ostringstream& what)
 {
   const glm::dvec2 &finite = ranges.FiniteRange(), &all = ranges.WholeRange();
@@ -60,12 +60,13 @@ std::string IsovalueCheck::Check(
   const Surfaces& surfaces = request.Key.Isosurfaces;
   std::vector<double> isovalues = surfaces.Isovalues;
   const bool isTransparent = isovalues.empty();
-  // A surface may fade out. But nobody chose the 0, and opacities are often made for other modes.
+  // A user may fade a surface out. But the default 0 is no choice, and opacities are often made for
+  // other modes.
   if (this->IsSettled || (isTransparent && !IsUntouched(request.IsovalueList)))
   {
     return "";
   }
-  ValueRangePyramid own; // a frame of transparent surfaces needs no ranges
+  ValueRangePyramid own; // transparent frames have no ranges of their own
   try
   {
     if (isTransparent)
@@ -82,7 +83,7 @@ std::string IsovalueCheck::Check(
   const glm::dvec2& all = known.WholeRange();
   const bool areMet = AreMet(isovalues, surfaces.Mode, all);
   this->IsSettled = areMet || isTransparent;
-  // Of samples that are no numbers EmptyPicture tells.
+  // EmptyPicture warns of NaN samples.
   if ((areMet && !isTransparent) || all.x > all.y || MaySeePartOnly(drawn))
   {
     return "";

@@ -18,14 +18,14 @@ namespace TemporalCoherence
 class IsovalueCheck
 {
 public:
-  /// \param request of a frame that was made
+  /// \param request of the present frame
   /// \param ranges  of its samples; unused if all isovalues are transparent
-  /// \return what is wrong and what to do about it; empty if there is no warning
+  /// \return the warning with its remedy; empty without a warning
   std::string Check(
     const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges);
 
 private:
-  bool IsSettled = false; ///< there was a surface, or a warning
+  bool IsSettled = false; ///< a surface or a warning was shown
 };
 
 }

@@ -19,17 +19,17 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Make the lights that are on, as the renderer finds them when it draws into a window.
-/// \param error gets what is wrong and what to do about it
+/// Make the lights that are on, like the renderer before it draws into a window.
+/// \param error receives the mistake and its remedy
 /// \return false on error, for example if an intensity is NaN
 bool FindLights(vtkRenderer* renderer, std::vector<Light>& lights, std::string& error);
 
 /// Find the ambient light of volumes, as vtkGPUVolumeRayCastMapper does.
-/// \param found gets the sum of the ambient colours of the lights that are on; or nothing if a
-///              single headlight of intensity 1 shines: a volume then has its own colour as ambient
+/// \param found receives the sum of the ambient colours of the lights that are on; nothing if a
+///              single headlight of intensity 1 shines: then the volume's own colour is its ambient
 ///              light
-/// \param error gets what is wrong and what to do about it
-/// \return false on error: an ambient colour that counts is not finite
+/// \param error receives the mistake and its remedy
+/// \return false on error: an effective ambient colour is not finite
 bool FindAmbientLight(vtkRenderer* renderer, std::optional<glm::dvec3>& found, std::string& error);
 
 }

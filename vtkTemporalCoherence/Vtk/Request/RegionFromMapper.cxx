@@ -17,7 +17,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The same boxes with an axis reversed.
+/// Mirror a set of cropping boxes along an axis.
 std::uint32_t Mirror(std::uint32_t boxes, int axis)
 {
   const int step = axis == 0 ? 1 : axis == 1 ? 3 : 9;

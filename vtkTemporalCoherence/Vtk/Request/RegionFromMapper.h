@@ -16,10 +16,10 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Make the region of a field that a mapper's clipping planes and its cropping keep. Clipping
-/// planes lie in the world. Cropping planes are those of vtkVolumeMapper: along the axes of the
-/// image, in coordinates of its origin and spacing.
-/// \param error gets what is wrong and what to do about it
+/// Make the region of a field that a mapper's clipping planes and cropping keep. Clipping planes
+/// lie in the world, cropping planes along the axes of the image, in coordinates of its origin and
+/// spacing.
+/// \param error receives the mistake and its remedy
 /// \return false on error
 bool MakeRegion(vtkVolumeMapper* mapper, const ImageAxes& axes, Region& region, std::string& error);
 

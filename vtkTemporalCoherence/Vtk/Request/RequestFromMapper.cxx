@@ -21,14 +21,14 @@ namespace TemporalCoherence
 namespace
 {
 
-/// A vtkMultiVolume has a property and a transform for each input of its mapper, and perhaps none
-/// of its own.
+/// True for a vtkMultiVolume. Each input of its mapper has a property and a transform; the volume
+/// itself may have none.
 bool IsOfSeveral(vtkVolume* volume)
 {
   return volume->IsA("vtkMultiVolume") != 0;
 }
 
-/// Set colour scale and shift by the colour window and level.
+/// Set colour scale and shift from the colour window and level.
 /// \return false if these are invalid
 bool SpreadColors(const PictureSettings& settings, Appearance& appearance, std::string& error)
 {
@@ -94,7 +94,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   query.Report = report;
   this->Drawn = drawn;
   this->IsMakingField = true;
-  // Without cells, which is no mistake: an empty picture.
+  // Input without cells is no mistake: the picture is empty.
   const bool isMade =
     this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
   this->IsMakingField = false;
@@ -106,7 +106,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   return isMade;
 }
 
-/// Find out what the mapper draws of its input.
+/// Find the components that the mapper draws.
 bool RequestFromMapper::FindDrawn(vtkVolumeMapper* mapper, const PictureSettings& settings,
   vtkVolume* volume, DrawnComponent& drawn, std::string& error)
 {
@@ -124,7 +124,7 @@ bool RequestFromMapper::FindDrawn(vtkVolumeMapper* mapper, const PictureSettings
   return this->Fields.Find(mapper, volume->GetProperty(), vectors, drawn, error);
 }
 
-/// Make the isosurfaces of a key and, for a viewer, how they look.
+/// Make the isosurfaces of a key and, for a viewer, their appearance.
 bool RequestFromMapper::MakeSurfaces(const PictureSettings& settings, vtkVolume* volume,
   vtkRenderer* renderer, const DrawnComponent& drawn, FrameRequest& request, std::string& error)
 {
@@ -142,7 +142,7 @@ bool RequestFromMapper::MakeSurfaces(const PictureSettings& settings, vtkVolume*
       property, drawn.OfProperty, renderer, key.Isosurfaces.Isovalues, key.Appearance, error);
 }
 
-/// Make how the volume of a key is blended and, for a viewer, its lights.
+/// Make the blending of a key's volume and, for a viewer, its lights.
 bool RequestFromMapper::MakeBlending(vtkVolumeMapper* mapper, const PictureSettings& settings,
   vtkVolume* volume, vtkRenderer* renderer, const DrawnComponent& drawn, FrameRequest& request,
   std::string& error)
@@ -174,7 +174,7 @@ bool AreFewEnough(const Surfaces& surfaces, std::string& error)
 
 }
 
-/// Make the samples, transform and region of a key, and what its surfaces need of the field.
+/// Make the samples, transform and region of a key, and the gradient opacity of its surfaces.
 bool RequestFromMapper::MakeScene(
   const FieldQuery& query, int component, FrameRequest& request, std::string& error)
 {

@@ -26,7 +26,7 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The mapper's own settings that a picture depends on, besides those of every volume mapper.
+/// The mapper's own settings that affect pictures, besides the settings of vtkVolumeMapper.
 struct PictureSettings
 {
   VectorChoice Vectors;
@@ -35,9 +35,9 @@ struct PictureSettings
   double ColorWindow = 1.0, ColorLevel = 0.5; ///< maps colours level +- window / 2 to [0, 1]
   vtkContourValues* DepthPass = nullptr;      ///< isovalues if the property has none; or null
   MaskSettings Mask;
-  double SampleDistance = 0.0;     ///< of blended volumes; 0: as dense as the picture needs
+  double SampleDistance = 0.0;     ///< of blended volumes, in the data's coordinates; 0: converged
   bool AveragedGradients = false;  ///< of meshes
-  std::size_t MeshMemoryLimit = 0; ///< bytes for what is made of a mesh; 0: no limit
+  std::size_t MeshMemoryLimit = 0; ///< bytes for the set-up of a mesh; 0: no limit
 };
 
 /// The viewer and the size of a frame.
@@ -45,7 +45,7 @@ struct FrameSight
 {
   vtkRenderer* Renderer = nullptr; ///< null: no viewer; view and appearance are not made
   glm::ivec2 Size{ 1 };            ///< rays along each axis
-  double Aspect = 1.0;             ///< width by height of what the camera sees
+  double Aspect = 1.0;             ///< width / height of the camera's view
 };
 
 /// A request for a frame.
@@ -55,32 +55,32 @@ struct FrameRequest
   std::vector<int> IsovaluePlaces; ///< position in the list, for each isovalue of the key
   vtkSmartPointer<vtkContourValues> IsovalueList; ///< including transparent ones
 
-  bool ComparesDepths = true; ///< with those of a window, when it is shown there
+  bool ComparesDepths = true; ///< with the window's depths, when it is shown there
 
   FieldSetUp SetUp;
-  std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: which cells of the data are its cells
+  std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: the original cells of its cells
 
-  /// Keeps what is read alive if an observer gives the mapper another input meanwhile.
+  /// Keeps the arrays alive if an observer changes the mapper's input meanwhile.
   std::vector<vtkSmartPointer<vtkObjectBase>> Read;
 };
 
-/// Reads everything that a frame depends on from a mapper, a volume and a renderer, and keeps what
-/// had to be computed from the input.
+/// Reads the complete input of a frame from a mapper, a volume and a renderer, and keeps arrays
+/// that it computes from the data.
 class RequestFromMapper
 {
 public:
-  /// \param error gets what is wrong and what to do about it
-  /// \param report told how far a mesh is set up, if it has to be; it may stop it
-  /// \return false on error, or, without one, if it was stopped. An input without points is no
-  ///         error: its frame is empty.
+  /// \param error receives the mistake and its remedy
+  /// \param report called with the progress if a mesh is set up; may stop that
+  /// \return false on error and, with an empty error, after a stop. An input without points is no
+  /// error: its frame is empty.
   bool Make(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume,
     const FrameSight& sight, FrameRequest& request, std::string& error,
     const ReportProgress& report = {});
 
-  /// True if a mapper draws surfaces, and all are opaque.
+  /// True if a mapper draws isosurfaces, and all are opaque.
   bool IsOpaque(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume);
 
-  /// Drop what was computed.
+  /// Drop all computed arrays.
   void Release();
 
 private:
@@ -94,7 +94,7 @@ private:
 
   FieldFromMapper Fields;
   BlendingFromVolume Blendings;
-  DrawnComponent Drawn;       ///< that was found last
+  DrawnComponent Drawn;       ///< from the last search
   bool IsMakingField = false; ///< meanwhile observers may ask anything
 };
 

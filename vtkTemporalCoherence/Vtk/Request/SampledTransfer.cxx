@@ -14,10 +14,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Intervals between samples, after samples are left out.
+/// Lower limit of intervals between the remaining samples.
 constexpr std::size_t FewestIntervals = 1 << 4;
 
-/// What straight lines between nodes may differ by from the samples. Opacities add up along a ray.
+/// Largest difference between straight lines and left-out samples. Opacities add up along a ray.
 constexpr double LargestColorError = 0.0005, LargestOpacityError = 1e-5;
 
 /// True if straight lines between every `stride`-th sample meet all samples.
@@ -40,7 +40,7 @@ bool IsEnough(const std::vector<glm::dvec4>& samples, std::size_t stride)
   return true;
 }
 
-/// Leave out samples that others tell.
+/// Leave out samples that interpolation of the others gives.
 void Thin(TransferFunction& transfer)
 {
   const std::vector<glm::dvec4>& samples = transfer.Nodes;

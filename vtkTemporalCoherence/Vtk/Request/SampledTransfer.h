@@ -26,26 +26,26 @@ namespace TemporalCoherence
 /// The colour and the opacity of one component of a property, sampled. It is sampled again when the
 /// functions change, or the range of the data.
 ///
-/// The functions themselves are asked at each sample, so that midpoints, sharpness, scales, spaces
-/// of colours and clamping have VTK's meaning. There is a sample at each node if all nodes have
-/// places in one grid, such as integers or decimals.
+/// VTK's functions are evaluated at each sample, so that midpoints, sharpness, scales, colour
+/// spaces and clamping have VTK's meaning. Each node has a sample if all nodes fit one grid, such
+/// as integers or decimals.
 class SampledTransfer
 {
 public:
-  /// Look at the functions of a component.
-  /// \param error gets what is wrong and what to do about it
+  /// Take the functions of a component.
+  /// \param error receives the mistake and its remedy
   /// \return false on error, for example if a node is NaN
   bool Find(vtkVolumeProperty* property, int component, std::string& error);
 
-  /// Sample what was found, unless that was done before.
+  /// Sample the found functions unless known samples fit.
   const TransferFunction& Sample(const AskedValues& asked);
 
 private:
-  TransferFunction Transfer;                    ///< without nodes if it is out of date
+  TransferFunction Transfer;                    ///< without nodes if out of date
   AskedValues Asked{};                          ///< of Transfer
   std::vector<double> Nodes;                    ///< of the functions
-  std::optional<TransferFunctions> Functions;   ///< that were found
-  vtkSmartPointer<vtkObject> Colors, Opacities; ///< keep them
+  std::optional<TransferFunctions> Functions;   ///< found functions
+  vtkSmartPointer<vtkObject> Colors, Opacities; ///< own the functions
   vtkMTimeType ColorTime = 0, OpacityTime = 0;
 };
 

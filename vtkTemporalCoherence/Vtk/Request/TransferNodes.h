@@ -26,17 +26,17 @@ struct TransferFunctions
   vtkObject* Colors() const;
 
   vtkColorTransferFunction* Color = nullptr; ///< or null
-  vtkPiecewiseFunction* Gray = nullptr;      ///< if that is null
+  vtkPiecewiseFunction* Gray = nullptr;      ///< used if Color is null
   vtkPiecewiseFunction* Opacity = nullptr;
 };
 
 /// Find the values at which functions have nodes: ascending, each once. Without nodes, {0}.
-/// \param error gets what is wrong and what to do about it
+/// \param error receives the mistake and its remedy
 /// \return false on error, for example if a colour is NaN
 bool FindNodes(const TransferFunctions& functions, std::vector<double>& nodes, std::string& error);
 
-/// The longest step that leads from each of some values to the next, and along a range in at most
-/// `most` steps; 0 if none is found.
+/// The longest step that divides all distances between neighbouring nodes into whole steps, and
+/// covers a range in at most `most` steps; 0 if no such step is found.
 /// \param nodes ascending
 /// \param width of the range
 double CommonStep(const std::vector<double>& nodes, double width, double most);

@@ -19,7 +19,8 @@ namespace
 /// Intervals between samples.
 constexpr std::size_t MostIntervals = 1 << 16;
 
-/// A number that is invalid although the nodes are valid, as by logarithms of negative positions.
+/// Clamp a number to [0, 1]. Valid nodes may give NaN, for example by logarithms of negative
+/// positions.
 double ShareOf(double value)
 {
   return value >= 0.0 ? std::min(value, 1.0) : 0.0;
@@ -47,7 +48,7 @@ private:
   double At(std::size_t i) const { return this->First + static_cast<double>(i) * this->Step; }
   int Count() const { return static_cast<int>(this->Made.Nodes.size()); }
 
-  /// Find where samples lie.
+  /// Choose the places of samples.
   void Spread(const std::vector<double>& nodes, const glm::dvec2& range)
   {
     constexpr auto intervals = static_cast<double>(MostIntervals);
@@ -59,7 +60,7 @@ private:
     const double common = StepBetween(between, high - low);
     if (common > 0.0)
     {
-      // Also where samples are left out, there is one at each node.
+      // Each node keeps its sample even if others are left out later.
       const double anchor = between.front();
       const double before = std::ceil((anchor - low) / common - rounding) + 1.0;
       const double behind = std::ceil((high - anchor) / common - rounding) + 1.0;
@@ -68,7 +69,7 @@ private:
     }
     else
     {
-      // Of the intervals, four may lie beyond the nodes. A step is more than a rounding error.
+      // Four intervals may lie beyond the nodes. A step must exceed rounding errors.
       const double largest = std::max(std::abs(low), std::abs(high));
       const double least = std::max(largest * 0x1p-50, 0x1p-960);
       this->Step =
@@ -77,7 +78,8 @@ private:
     }
   }
 
-  /// A step from node to node that has room for samples along a range; 0 if there is none.
+  /// A step that meets every node and covers a range with the available samples; 0 if there is
+  /// none.
   static double StepBetween(const std::vector<double>& nodes, double width)
   {
     constexpr double most = 0.5 * MostIntervals;
@@ -85,7 +87,7 @@ private:
     {
       return nodes.empty() ? 0.0 : CommonStep(nodes, width, most);
     }
-    // A few samples on either side, and more where the function is a curve.
+    // A single node gets at least a few samples on each side. Curved functions keep more of them.
     const double step = std::exp2(std::ceil(std::log2(width))) / 16.0;
     return step > std::abs(nodes.front()) * 0x1p-34 && std::isfinite(step) ? step : 0.0;
   }
@@ -122,7 +124,7 @@ private:
     }
   }
 
-  /// A table of VTK that begins before the first node is black at that node itself.
+  /// Correct a sample: a table of VTK that begins before the first node is black at this node.
   void MendFirstNode()
   {
     double node[6]; // position, colour, midpoint, sharpness
@@ -134,7 +136,7 @@ private:
     }
   }
 
-  /// Sample opacities, and bring all shares into their range.
+  /// Sample opacities, and clamp all numbers to their range.
   void SampleOpacities(const AskedValues& asked)
   {
     std::vector<double> opacities(this->Made.Nodes.size());

@@ -12,11 +12,11 @@ namespace TemporalCoherence
 
 struct TransferFunctions;
 
-/// The values of which functions are asked.
+/// The values at which functions are evaluated.
 struct AskedValues
 {
   glm::dvec2 Range; ///< of the data
-  bool AreClamped;  ///< there may be others, which are as opaque as the nearest end of the range
+  bool AreClamped;  ///< other values may occur; they are as opaque as the nearest end of the range
 };
 
 inline bool operator==(const AskedValues& a, const AskedValues& b)
@@ -24,9 +24,9 @@ inline bool operator==(const AskedValues& a, const AskedValues& b)
   return a.Range == b.Range && a.AreClamped == b.AreClamped;
 }
 
-/// Sample functions at equal distances, over all values that are asked for and that lie between
-/// their first and their last node, and somewhat beyond. Nodes far from the data leave no trace.
-/// There is a sample at each node between if all of these have places in one grid.
+/// Sample functions at equal distances over the range that the data and the nodes have in common,
+/// and slightly beyond. Nodes far from the data leave no trace. Each node in this range has a
+/// sample if all nodes there fit one grid.
 /// \param nodes of the functions (FindNodes)
 TransferFunction SampleFunctions(
   const TransferFunctions& functions, const std::vector<double>& nodes, const AskedValues& asked);

@@ -20,8 +20,8 @@ namespace TemporalCoherence
 glm::ivec2 PictureSizeOf(vtkRenderer* renderer);
 
 /// Make the view of the renderer's active camera in a picture of a given size.
-/// \param aspect width by height of what the camera sees
-/// \param error  gets what is wrong and what to do about it
+/// \param aspect width / height of the camera's view
+/// \param error  receives the mistake and its remedy
 /// \return false on error
 bool MakeView(
   vtkRenderer* renderer, const glm::ivec2& size, double aspect, View& view, std::string& error);

@@ -9,7 +9,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Highest power of VTK's cells, and one for each power of a variable.
+/// Number of powers of a variable: 0 to the highest order of VTK's cells.
 constexpr int MostPowers = 11;
 
 double Factorial(int n)
@@ -17,14 +17,14 @@ double Factorial(int n)
   return n < 2 ? 1.0 : n * Factorial(n - 1);
 }
 
-/// Of a polynomial with these powers of variables that add up to 1.
+/// The multinomial coefficient of a product of these powers.
 template <typename... Powers>
 double Multinomial(Powers... powers)
 {
   return Factorial((powers + ...)) / (Factorial(powers) * ...);
 }
 
-/// The variables of functions at a place: each axis and what is left of it.
+/// The variables of functions at a place: coordinates, and their complements to 1.
 std::array<double, 6> VariablesAt(CurvedShape shape, const glm::dvec3& at)
 {
   switch (shape)

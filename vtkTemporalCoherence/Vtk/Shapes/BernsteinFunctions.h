@@ -14,7 +14,7 @@ namespace TemporalCoherence
 {
 
 /// The functions of Bezier cells: products of powers of barycentric coordinates in simplices, and
-/// of Bernstein polynomials along axes. VTK has the same, but evaluates them by recursion.
+/// of Bernstein polynomials along axes. VTK evaluates equal functions by recursion.
 class BernsteinFunctions
 {
 public:
@@ -25,14 +25,14 @@ public:
   BernsteinFunctions(
     CurvedShape shape, const std::vector<glm::dvec3>& places, const std::array<int, 3>& powers);
 
-  /// False if the places are none of equal distances.
+  /// False if the control points do not lie at equal distances.
   bool AreKnown() const { return !this->Functions.empty(); }
 
   /// The values of all functions at a place.
   void At(const glm::dvec3& place, double* values) const;
 
 private:
-  /// A product of powers, one of each of up to six variables.
+  /// A factor times powers of up to six variables.
   struct Function
   {
     double Factor;

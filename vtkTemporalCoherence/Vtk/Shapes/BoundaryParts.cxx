@@ -66,7 +66,7 @@ CellParts BoundaryParts::Of(const ShapeFrame& frame, vtkIdList* points, int insi
   return parts;
 }
 
-/// Where a key is, or is to be.
+/// Position of a key in the table, or of its free entry.
 std::size_t BoundaryParts::PlaceOf(std::uint64_t key) const
 {
   const std::size_t mask = this->Entries.size() - 1;

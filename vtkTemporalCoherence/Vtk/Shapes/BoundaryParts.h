@@ -20,25 +20,25 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Into how many parts faces and edges are divided: into as many as the finest cell around them.
-/// They are known by their corners, so that all cells around them are told the same.
+/// Numbers of parts of faces and edges: the largest number of any cell around them. Corners
+/// identify a face or edge, so that all cells around it get one number.
 class BoundaryParts
 {
 public:
-  /// A cell is divided into so many parts. Those that are whole need not be told.
+  /// Add a cell that is divided into `parts`. Undivided cells need not be added.
   /// \throws std::bad_alloc
   void Add(const ShapeFrame& frame, vtkIdList* points, int parts);
 
-  /// The parts of a cell with so many inside.
+  /// The numbers of parts of a cell. \p inside is its inner number.
   CellParts Of(const ShapeFrame& frame, vtkIdList* points, int inside) const;
 
 private:
-  /// 64 bits of the numbers of corners. If two names had the same bits, both would get the larger
-  /// number of parts.
+  /// A hash of the numbers of corners. After a collision, both sides have the larger number of
+  /// parts.
   struct Entry
   {
     std::uint64_t Key = 0;
-    int Parts = 0; ///< 0: of nothing
+    int Parts = 0; ///< 0: unused entry
   };
 
   std::size_t PlaceOf(std::uint64_t key) const;
@@ -46,7 +46,7 @@ private:
   int PartsOf(std::uint64_t key) const;
   void Grow();
 
-  std::vector<Entry> Entries; ///< as many as a power of two
+  std::vector<Entry> Entries; ///< the size is a power of two
   std::size_t Used = 0;
 };
 

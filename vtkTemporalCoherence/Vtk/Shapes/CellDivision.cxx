@@ -40,7 +40,7 @@ struct CountingSink
   }
 };
 
-/// Collects what a division consists of.
+/// Collects the cells of a division.
 struct CollectingSink : public DivisionSink
 {
   CellDivision Division;
@@ -109,7 +109,7 @@ int CellDivider::NumberOf(const glm::ivec3& place)
   return *number;
 }
 
-/// Where the number of a place is, or is to be: -1.
+/// Address of the number of a place; -1 stands there for a new place.
 int* CellDivider::FindNumber(const glm::ivec3& place)
 {
   if (this->Unit > 0)

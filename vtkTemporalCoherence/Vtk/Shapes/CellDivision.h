@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_CellDivision_h
 #define TemporalCoherence_CellDivision_h
 
-#include "Mesh/Mesh.h"
+#include "Mesh/Cells/Mesh.h"
 #include "Shapes/StraightCell.h"
 
 #include <glm/glm.hpp>
@@ -15,15 +15,15 @@
 namespace TemporalCoherence
 {
 
-/// Into how many parts edges are divided. Each number on a face is a multiple of that inside, and
-/// each number on an edge a multiple of those of its faces.
+/// Numbers of parts along edges. The number of a face is a multiple of the inner number, and the
+/// number of an edge is a multiple of its faces' numbers.
 struct CellParts
 {
   int Inside;
   std::array<int, 6> Faces;
   std::array<int, 12> Edges;
 
-  /// The same number everywhere.
+  /// One number of parts for edges, faces and the inside.
   explicit CellParts(int parts)
     : Inside(parts)
   {
@@ -35,7 +35,7 @@ struct CellParts
   int Largest(const ShapeFrame& frame) const;
 };
 
-/// The most parts of an edge: the numbers of a place have to fit.
+/// Limit of the parts of an edge: places must fit into 16 bits.
 constexpr int MostParts = 512;
 
 /// A linear cell between points of a divided cell.
@@ -62,7 +62,7 @@ public:
 ///
 /// Where a face or edge of one of these parts is divided further, the part becomes a cone from its
 /// middle over its faces. A face whose edges only are divided further becomes triangles around its
-/// middle. So what is on a face depends on the numbers of parts on that face and its edges alone.
+/// middle. So the division of a face depends on the numbers of this face and its edges alone.
 class CellDivider
 {
 public:
@@ -70,14 +70,14 @@ public:
   /// \throws std::bad_alloc
   void Divide(CurvedShape shape, const CellParts& parts, DivisionSink& sink);
 
-  /// All parts as cones from their middles, though nothing is divided further.
+  /// Divide all parts into cones from their middles, even if no face is divided further.
   /// \throws std::bad_alloc
   void DivideIntoCones(CurvedShape shape, int parts, DivisionSink& sink);
 
   /// The points of the last cell.
   const std::vector<DivisionPlace>& Places() const { return this->PlacesOfCell; }
 
-  /// Number a place: for the division in progress.
+  /// The number of a place in the present division.
   int NumberOf(const glm::ivec3& place);
 
 private:
@@ -93,8 +93,8 @@ private:
   void Grow();
 
   std::vector<DivisionPlace> PlacesOfCell;
-  std::vector<int> Lattice;   ///< numbers of the points of equal parts
-  std::vector<Entry> Entries; ///< of points anywhere; as many as a power of two
+  std::vector<int> Lattice;   ///< numbers of points, if all parts are equal
+  std::vector<Entry> Entries; ///< numbers of points otherwise, by hash; the size is a power of two
   int Unit = 0, Row = 0, Of = 0;
 };
 
@@ -111,7 +111,7 @@ CellDivision Divide(CurvedShape shape, const CellParts& parts);
 /// \throws std::bad_alloc
 CellDivision DivideIntoCones(CurvedShape shape, int parts);
 
-/// The cells of a division, and the numbers of points that they name.
+/// Number of cells in a division, and of point ids in these cells.
 struct DivisionSize
 {
   std::int64_t Cells = 0, Ids = 0;

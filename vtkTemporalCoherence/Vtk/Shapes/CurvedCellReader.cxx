@@ -23,8 +23,8 @@ namespace
 /// Some of VTK's functions write more weights than a cell has points.
 constexpr std::size_t RoomForMore = 32;
 
-/// Where VTK's functions of a pyramid have its base: those of VTK_TRIQUADRATIC_PYRAMID have it at
-/// the height 0.5 (VTK 9.1).
+/// The height of a pyramid's base in VTK's functions: 0.5 for VTK_TRIQUADRATIC_PYRAMID (VTK 9.1),
+/// otherwise 0.
 double BaseOf(vtkCell* cell)
 {
   if (cell->GetCellType() != VTK_TRIQUADRATIC_PYRAMID)
@@ -37,7 +37,8 @@ double BaseOf(vtkCell* cell)
   return std::abs(weights[0] - 1.0) < 1e-6 ? 0.0 : 0.5;
 }
 
-/// VTK's parameters. Those of a quadratic pyramid are of a cube whose upper face is the apex.
+/// VTK's parameters at a place. For a quadratic pyramid they lie in a cube whose upper face is the
+/// apex.
 glm::dvec3 ParametersAt(int type, double base, const glm::dvec3& place)
 {
   if (type == VTK_QUADRATIC_PYRAMID)
@@ -52,8 +53,9 @@ glm::dvec3 ParametersAt(int type, double base, const glm::dvec3& place)
     : place;
 }
 
-/// Cells of VTK write to themselves only. But up to VTK 9.6 all Bezier wedges of a process share
-/// one triangle (vtkBezierInterpolation::WedgeShapeFunctions): they are asked one after the other.
+/// Evaluate VTK's functions at a place. Cells write to themselves only, with one exception: up to
+/// VTK 9.6, all Bezier wedges of a process share one triangle
+/// (vtkBezierInterpolation::WedgeShapeFunctions), so a mutex guards them.
 void FunctionsAt(vtkCell* cell, double base, const glm::dvec3& place, std::vector<double>& weights)
 {
   static std::mutex usesTriangle;
@@ -67,7 +69,7 @@ void FunctionsAt(vtkCell* cell, double base, const glm::dvec3& place, std::vecto
   cell->InterpolateFunctions(parameters.data(), weights.data());
 }
 
-/// Where the points of a cell lie in the straight one, as VTK tells it.
+/// The places of a cell's points in the straight cell, from VTK's parameters.
 std::vector<glm::dvec3> PlacesOfPoints(vtkCell* cell)
 {
   const double base = BaseOf(cell);
@@ -76,7 +78,7 @@ std::vector<glm::dvec3> PlacesOfPoints(vtkCell* cell)
   for (vtkIdType p = 0; parameters && p < cell->GetNumberOfPoints(); ++p)
   {
     glm::dvec3 at(parameters[3 * p], parameters[3 * p + 1], parameters[3 * p + 2]);
-    if (cell->GetCellType() == VTK_QUADRATIC_PYRAMID) // these are of the cube
+    if (cell->GetCellType() == VTK_QUADRATIC_PYRAMID) // its parameters lie in the cube
     {
       at.x = at.x * (1.0 - at.z) + 0.5 * at.z;
       at.y = at.y * (1.0 - at.z) + 0.5 * at.z;
@@ -108,7 +110,7 @@ std::vector<std::array<double, 8>> LinearWeightsOf(vtkCell* cell, CurvedShape sh
   return all;
 }
 
-/// A grid with one cell of a kind. Functions depend on its type, its points and degrees only.
+/// A grid with one cell of a kind. Functions depend on its type, number of points and degrees only.
 vtkSmartPointer<vtkUnstructuredGrid> ExampleOf(const CurvedKind& kind)
 {
   const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -154,7 +156,7 @@ std::vector<double> WeightsAt(vtkCell* cell, const std::vector<glm::dvec3>& plac
 PointValue Weigh(const double* weights, const std::vector<PointValue>& points)
 {
   constexpr double rounding = 1e-13;
-  const PointValue* first = nullptr; // with a weight
+  const PointValue* first = nullptr; // the first point with a weight
   PointValue sum{ 0.0, 0.0, 0.0, 0.0 };
   bool isAlone = true;
   for (std::size_t p = 0; p < points.size(); ++p)
@@ -287,7 +289,7 @@ void CurvedCellReader::Read(const CurvedSource& source, std::size_t number)
   this->Complete(source, k);
 }
 
-/// Points between corners that have no value get that between the corners.
+/// Give points between corners without a finite value the interpolated value of the corners.
 void CurvedCellReader::Complete(const CurvedSource& source, std::size_t kind)
 {
   const auto corners =

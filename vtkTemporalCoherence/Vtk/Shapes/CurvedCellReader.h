@@ -37,22 +37,22 @@ namespace TemporalCoherence
 /// \param places in the straight cell with edges of length 1
 std::vector<double> WeightsAt(vtkCell* cell, const std::vector<glm::dvec3>& places);
 
-/// What a row of weights makes of the points of a cell. Exact where all are equal, and at points.
+/// The weighted sum of a cell's points. Exact if all points are equal, and at points.
 PointValue Weigh(const double* weights, const std::vector<PointValue>& points);
 
-/// Curved cells, and what is read to divide them.
+/// Curved cells, with the data for dividing them.
 ///
-/// Threads share the user's arrays, which are read by functions without a state only. VTK's cells
-/// have a state, and vtkUnstructuredGrid::GetCell writes it: rational weights are read through a
-/// buffer of the array that all threads share. So each thread has cells of its own, made of a
-/// grid that nobody else knows, and rational weights are applied here.
+/// Threads share the user's arrays, and read them by stateless functions only. VTK's cells have a
+/// state, which vtkUnstructuredGrid::GetCell writes: it reads rational weights through a buffer
+/// that all threads share. So each thread has its own cells, made of a private grid, and rational
+/// weights are applied here.
 class CurvedSource
 {
 public:
-  /// \pre all are there as long as this is
+  /// \pre the arguments outlive this
   CurvedSource(vtkUnstructuredGrid* grid, const CurvedCells& curved, const PointReader& reader);
 
-  /// Set a cell of VTK to one of a kind, without weights of its own. May be called by any thread.
+  /// Set up a VTK cell of a kind, without rational weights. May be called by any thread.
   void SetCell(std::size_t kind, vtkGenericCell* cell) const;
 
   /// Weights of the corners of the straight cell, for each point of a kind.
@@ -80,7 +80,7 @@ private:
   std::vector<std::vector<std::array<double, 8>>> WeightsOfKinds;
 };
 
-/// The functions of one kind of cells, for one thread.
+/// The interpolation functions of one kind of cells, for one thread.
 class KindFunctions
 {
 public:
@@ -96,21 +96,21 @@ private:
   BernsteinFunctions Bernstein; ///< of Bezier cells
   std::size_t NumberOfPoints;
   std::vector<double> Scratch;
-  std::vector<DivisionPlace> Places; ///< of rows that are kept
+  std::vector<DivisionPlace> Places; ///< of the kept rows
   std::vector<double> Rows;
 };
 
-/// Reads one cell after the other, in one thread.
+/// Reads curved cells for one thread.
 class CurvedCellReader
 {
 public:
-  /// Which samples of a cell are numbers.
+  /// The valid samples of a cell.
   enum class Samples
   {
     All,
     Corners,   ///< others were replaced
-    Unbounded, ///< those of the corners, but they or their range are infinite
-    None       ///< a corner has none: the cell is hidden
+    Unbounded, ///< all, but a corner or the range of values is infinite
+    None       ///< a corner is NaN: the cell is hidden
   };
 
   void Read(const CurvedSource& source, std::size_t number);
@@ -126,12 +126,12 @@ private:
 
   vtkNew<vtkIdList> Ids;
   std::vector<std::unique_ptr<KindFunctions>> Functions; ///< by kind
-  KindFunctions* Of = nullptr;                           ///< the cell
+  KindFunctions* Of = nullptr;                           ///< of the cell that was read last
   std::vector<double> Rational, Row;
 };
 
 /// Call `visit(reader, i)` for each i below a number, in parallel, with a reader that no other
-/// thread has meanwhile.
+/// thread uses.
 /// \return false if progress stopped it
 /// \throws std::bad_alloc
 template <typename Visit>

@@ -79,7 +79,7 @@ int CountPoints(CurvedShape shape, const std::array<int, 3>& degrees)
   return (a + 1) * (b + 1) * (c + 1);
 }
 
-/// The order of a cell of any order by its points; 0 if there is none.
+/// The order of a cell with this number of points; 0 if no order has that number.
 int FindOrder(CurvedShape shape, int points, std::array<int, 3> degrees)
 {
   // VTK's cells of order 2 with points in the middle of each face and of the cell.

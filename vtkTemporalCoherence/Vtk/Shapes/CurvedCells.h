@@ -23,7 +23,7 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Cells of the same type, order and number of points: the same functions interpolate in all.
+/// A kind of cells with one type, order and number of points. All interpolate by equal functions.
 struct CurvedKind
 {
   int Type; ///< VTK's
@@ -31,11 +31,11 @@ struct CurvedKind
   int NumberOfPoints;
   int Order;
   bool IsRational;            ///< each cell has weights of its own
-  std::array<int, 3> Degrees; ///< along its axes; 0: the number of points tells them
-  std::array<int, 3> Powers;  ///< of Bernstein polynomials along its axes; 0: it has others
+  std::array<int, 3> Degrees; ///< along its axes; 0: given by the number of points
+  std::array<int, 3> Powers;  ///< of Bernstein polynomials along its axes; 0: other functions
 };
 
-/// The cells of a grid that have an order of 2 or more.
+/// The curved cells of a grid (order 2 or more), and their kinds.
 struct CurvedCells
 {
   std::vector<vtkIdType> Cells;
@@ -46,7 +46,7 @@ struct CurvedCells
 /// True for types of cells with an order of 2 or more and a volume.
 bool IsCurved(int type);
 
-/// Finds kinds of cells, one cell after the other.
+/// Finds the kinds of cells, cell by cell.
 class CurvedCellFinder
 {
 public:

@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t CellsBetweenReports = 256;
 
-/// Appends the cells of a curved one, with the numbers of points that they have in it.
+/// Appends the linear cells of a curved one, with point numbers inside of the curved cell.
 struct AppendingSink : public DivisionSink
 {
   MadeCells& Made;
@@ -63,14 +63,14 @@ public:
   }
 
 private:
-  /// Number the points of a cell. New ones get numbers in a row, the first of which is Next.
+  /// Number the points of a cell. New points get consecutive numbers from Next on.
   void Number(CurvedShape shape, vtkIdList* ids)
   {
     const std::vector<DivisionPlace>& places = this->Divider.Places();
     this->Keys.resize(places.size());
     this->AreInside.resize(places.size());
     this->Numbers.resize(places.size());
-    for (std::size_t p = 0; p < places.size(); ++p) // first, as memory takes its time
+    for (std::size_t p = 0; p < places.size(); ++p) // first, to hide the latency of memory
     {
       this->AreInside[p] = !this->SetName(shape, places[p], ids);
       if (!this->AreInside[p])
@@ -91,10 +91,9 @@ private:
     }
   }
 
-  /// Points on a face are named by the corners of that face and whole numbers as weights, without
-  /// common divisor. Cells that share the face give them the same name, however they number their
-  /// corners.
-  /// \return false for points inside of a cell, so in no other one
+  /// Set the name of a point on a face: the corners of the face with integer weights, without
+  /// common divisor. Cells that share the face make equal names, however they number their corners.
+  /// \return false for points inside of a cell, which no other cell shares
   bool SetName(CurvedShape shape, const DivisionPlace& place, vtkIdList* ids)
   {
     const CornerWeights weights = WeightsOf(shape, place);

@@ -13,7 +13,7 @@
 namespace TemporalCoherence
 {
 
-/// The points of divided cells: each is made by the first cell that has it.
+/// The points of divided cells. The first cell with a point makes it.
 struct CurvedPoints
 {
   std::vector<std::size_t> Begins{ 0 }; ///< of each cell: its first point
@@ -26,15 +26,15 @@ struct CurvedPoints
   }
 };
 
-/// Divide the cells, without placing their points. Points are shared with those that are known, and
-/// get numbers in a row behind those that were made.
-/// \return false if the budget does not do, or if it was stopped
+/// Divide the cells, without placing their points. Points are shared with known points. New points
+/// get consecutive numbers, behind the points made before.
+/// \return false if the budget is too small, or if it was stopped
 /// \throws std::bad_alloc
 bool DivideCurvedCells(const CurvedSource& source, const CurvedPlan& plan, MakingBudget& budget,
   SharedPoints& shared, MadeCells& made, CurvedPoints& points);
 
 /// Place the points, and find their values, in parallel.
-/// \param at gets them, the first one first
+/// \param at receives them in order
 /// \return false if it was stopped
 /// \throws std::bad_alloc
 bool PlaceCurvedPoints(const CurvedSource& source, const CurvedPoints& points,

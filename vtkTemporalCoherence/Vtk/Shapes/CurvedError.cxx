@@ -14,15 +14,15 @@ namespace
 {
 
 /// A place where the difference between a cell and its linear parts is measured: half way between
-/// two points of a linear cell. The linear cell has the mean of both there.
+/// two points of a linear cell, where the linear cell has the mean of both points.
 struct DivisionCheck
 {
   DivisionPlace At;
   std::array<int, 2> Points;
 };
 
-/// What bounds the difference in a linear cell: in each group of checks the largest, times a
-/// factor, and the sum of this for all groups.
+/// The bound of the difference in a linear cell: the sum over groups of checks of the largest
+/// difference in the group, times the group's factor.
 struct DivisionBound
 {
   struct Group
@@ -41,7 +41,7 @@ struct DivisionChecks
 
 using Pairs = std::vector<std::array<std::size_t, 2>>;
 
-/// Pairs of points of a cell, and the factor of the worst of them.
+/// Pairs of points of a cell, and the factor for the worst pair.
 struct PairGroup
 {
   double Factor;

@@ -12,12 +12,12 @@
 namespace TemporalCoherence
 {
 
-/// How far the linear cells of a curved one are from it, at most.
+/// Bounds of the error of a curved cell's linear cells.
 struct CellError
 {
-  double OfPoints = 0.0;    ///< in parts of the diagonal of the box around its points
-  double OfValues = 0.0;    ///< as they are
-  double LowestValue = 0.0; ///< of its points
+  double OfPoints = 0.0;    ///< share of the diagonal of the box around its points
+  double OfValues = 0.0;    ///< absolute
+  double LowestValue = 0.0; ///< of the cell's points
   double HighestValue = 0.0;
   CurvedCellReader::Samples Given = CurvedCellReader::Samples::All;
 };
@@ -25,14 +25,14 @@ struct CellError
 /// The largest errors of all cells.
 struct CurvedError
 {
-  double OfPoints = 0.0; ///< of the size of the cell
-  double OfValues = 0.0; ///< of the range of its values
+  double OfPoints = 0.0; ///< share of the size of the cell
+  double OfValues = 0.0; ///< share of the range of its values
 };
 
-/// Bound the errors of some cells if their edges are divided into so many parts.
+/// Bound the errors of some cells for given numbers of parts along their edges.
 /// \param numbers of the cells
 /// \param areCones their parts are cones (CellDivider)
-/// \param errors  gets one for each
+/// \param errors  receives one for each cell
 /// \return false if progress stopped it
 /// \throws std::bad_alloc
 bool MeasureErrors(const CurvedSource& source, const std::vector<std::size_t>& numbers,

@@ -17,10 +17,10 @@ namespace
 
 using Samples = CurvedCellReader::Samples;
 
-/// Values that hardly differ in a cell are compared with this part of the range of all.
+/// Smallest range of values in a cell, as a share of the range in all cells.
 constexpr double SmallestRange = 0.01;
 
-/// Cells are measured with no more parts. The waves of functions up to order 10 are coarser.
+/// Limit of measured parts. The waves of functions up to order 10 are coarser.
 constexpr int MostMeasuredParts = 16;
 
 /// Near the apex of a pyramid, functions are not smooth: the error shrinks with the number of
@@ -31,16 +31,16 @@ constexpr int MostPartsOfPyramid = MostMeasuredParts;
 /// Along these, the second difference of a quadratic function may be larger by half.
 constexpr double ConeFactor = 1.5;
 
-/// The parts that an error needs.
+/// The number of parts that an error demands.
 int PartsFor(CurvedShape shape, double bend, double error)
 {
   const double most = shape == CurvedShape::Pyramid ? MostPartsOfPyramid : MostParts;
-  // A bend that is not known asks for nothing.
+  // An unknown bend demands no parts.
   const double parts = bend > error ? std::ceil(std::sqrt(bend / error) * (1.0 - 1e-6)) : 1.0;
   return static_cast<int>(std::clamp(parts, 1.0, most));
 }
 
-/// How often cells are divided further because their parts are cones.
+/// Limit of the rounds that divide cells further because their parts are cones.
 constexpr int MostRounds = 16;
 
 }
@@ -88,8 +88,8 @@ bool CurvedPlan::Measure(const ReportProgress& progress)
   return this->MeasureFurther(PartOf(progress, 0.5, 1.0));
 }
 
-/// The errors of cells of higher order shrink with the square of the number of parts only once
-/// these are finer than the waves of their functions. So these are measured with more parts, too.
+/// Measure cells of higher order with more parts. Their errors shrink with the square of the number
+/// of parts only if parts are finer than the waves of the cell's functions.
 bool CurvedPlan::MeasureFurther(const ReportProgress& progress)
 {
   std::vector<int> measured = this->FirstParts, next = measured;
@@ -114,7 +114,7 @@ bool CurvedPlan::MeasureFurther(const ReportProgress& progress)
     {
       return true;
     }
-    const double end = 0.5 * (1.0 + begin); // nobody knows how often
+    const double end = 0.5 * (1.0 + begin); // the number of rounds is unknown
     std::vector<CellError> errors;
     if (!MeasureErrors(this->Source, cells, next, false, PartOf(progress, begin, end), errors))
     {
@@ -140,12 +140,12 @@ CurvedPlan::Bend CurvedPlan::BendOf(const CellError& error, int parts) const
     areBounded ? static_cast<float>(squared * (error.OfValues / length)) : 0.0f };
 }
 
-/// Of all numbers of parts of which each is a multiple of the smaller ones, those that make the
-/// fewest cells.
+/// Choose the numbers of parts that make the fewest cells. Each number must be a multiple of all
+/// smaller numbers.
 void CurvedPlan::ChooseChain()
 {
   constexpr auto size = static_cast<std::size_t>(MostParts) + 1;
-  std::vector<double> count(size, 0.0); // of cells that need so many parts or less
+  std::vector<double> count(size, 0.0); // of cells that demand this number of parts or fewer
   int most = 1;
   for (std::size_t c = 0; c < this->Bends.size(); ++c)
   {
@@ -154,7 +154,7 @@ void CurvedPlan::ChooseChain()
     most = std::max(most, parts);
   }
   std::partial_sum(count.begin(), count.end(), count.begin());
-  std::vector<double> cost(size, 0.0); // of all cells that need more parts
+  std::vector<double> cost(size, 0.0); // of all cells that demand more parts
   std::vector<int> next(size, 0);      // in the best chain
   for (int n = most - 1; n >= 1; --n)
   {
@@ -244,7 +244,7 @@ bool CurvedPlan::Join(const ReportProgress& progress, DivisionSize& size)
   }
 }
 
-/// True if all cells have the same number of parts, so that faces and edges have it, too.
+/// True if all cells, and so all faces and edges, have one number of parts.
 bool CurvedPlan::AreAlike() const
 {
   return std::all_of(this->Chosen.begin(), this->Chosen.end(),
@@ -275,7 +275,7 @@ void CurvedPlan::ForEachCell(const Visit& visit) const
     });
 }
 
-/// The cells that have a face or edge that is divided further than they are.
+/// Find the cells with a face or edge that is divided further than the cell.
 std::vector<std::size_t> CurvedPlan::FindCones()
 {
   this->ForEachCell(

@@ -19,8 +19,8 @@
 namespace TemporalCoherence
 {
 
-/// The error that curved cells are divided for: of their size, and of the range of their values.
-/// Where values hardly differ, it is of 1 % of the range of all cells.
+/// Target error of divided cells, as a share of their size and of the range of their values. A
+/// range of less than 1 % of the range of all cells counts as 1 %.
 constexpr double SubdivisionGoal = 1e-3;
 
 /// Into how many parts the edges of each curved cell are divided; 0: the cell is hidden.
@@ -28,8 +28,8 @@ using PartsOfCells = std::vector<std::uint16_t>;
 
 /// Plans the division of curved cells.
 ///
-/// Each cell is divided into as few parts as an error needs. Of several numbers of parts, each is a
-/// multiple of the smaller ones, so that cells with different numbers can share faces
+/// Each cell is divided into as few parts as an error demands. Each number of parts in use is a
+/// multiple of all smaller ones, so that cells with different numbers can share faces
 /// (CellDivider).
 class CurvedPlan
 {
@@ -41,34 +41,34 @@ public:
   /// \throws std::bad_alloc
   bool Measure(const ReportProgress& progress);
 
-  /// Choose parts for an error. Another one may be chosen later.
+  /// Choose parts for an error. May be called again with another error.
   /// \return the size of the cells before they are joined
   /// \throws std::bad_alloc
   DivisionSize Choose(double error);
 
   /// Join cells of different parts, so that they share all points of their faces and edges.
-  /// \param size gets that of all cells
+  /// \param size receives the size of all cells
   /// \return false if progress stopped it
   /// \throws std::bad_alloc
   bool Join(const ReportProgress& progress, DivisionSize& size);
 
-  /// What was chosen.
+  /// The chosen numbers of parts.
   const PartsOfCells& Parts() const { return this->Chosen; }
 
-  /// The parts of a cell with those of its faces and edges. What `points` holds then is of no use.
+  /// The numbers of parts of a cell, its faces and its edges. `points` is scratch memory.
   CellParts PartsOf(std::size_t number, vtkIdList* points) const;
 
-  /// True if some cell does not stay whole.
+  /// True if any cell is divided.
   bool IsDivided() const { return this->LargestParts() > 1; }
   int LargestParts() const;
 
-  /// Bounds of the errors that were reached. That of values is NaN if there is none: some cells
-  /// have samples between corners that are not finite, or values whose range is not.
+  /// Bounds of the errors. The error of values is NaN without a bound: if samples between corners
+  /// or ranges of values are not finite.
   CurvedError Error() const;
 
 private:
-  /// The error of a whole cell that would give the error of its parts, if that shrinks with the
-  /// square of their number.
+  /// Extrapolated error of the undivided cell: the error of its parts, times the square of their
+  /// number.
   struct Bend
   {
     float OfPoints = 0.0f, OfValues = 0.0f;
@@ -91,16 +91,16 @@ private:
   CellParts BoundaryOf(std::size_t number, vtkIdList* points) const;
 
   const CurvedSource& Source;
-  std::vector<int> FirstParts; ///< of each kind: those that are measured first
+  std::vector<int> FirstParts; ///< first measured numbers of parts, by kind
   std::vector<Bend> Bends;     ///< of each cell
-  std::vector<Bend> ConeBends; ///< if parts are cones; negative: not measured
+  std::vector<Bend> ConeBends; ///< of cells whose parts are cones; negative: not measured
   double RangeOfAll = 0.0;
   bool AreValuesBounded = true;
   PartsOfCells Chosen;
   double ChosenFor = SubdivisionGoal; ///< the error
-  std::vector<int> Chain; ///< for each number of parts that an error needs: those to take
+  std::vector<int> Chain; ///< numbers of parts to take, by the number that an error demands
   BoundaryParts Boundary;
-  std::vector<std::uint8_t> AreCones; ///< 1: parts of the cell are
+  std::vector<std::uint8_t> AreCones; ///< 1 for each cell whose parts are cones
   vtkNew<vtkIdList> Ids;
 };
 

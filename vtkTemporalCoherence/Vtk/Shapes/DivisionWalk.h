@@ -16,7 +16,8 @@
 namespace TemporalCoherence
 {
 
-/// Middles of triangles, quadrilaterals and cells lie on a lattice that is so many times as fine.
+/// Refinement of the lattice, which makes middles of triangles, quadrilaterals and cells lattice
+/// points.
 constexpr int Fineness = 12;
 static_assert(MostParts * Fineness < (1 << 16), "places fit");
 
@@ -25,7 +26,7 @@ struct Corners
 {
   int Count = 0;
   std::array<glm::ivec3, 8> At{};
-  std::array<unsigned int, 8> Supports{}; ///< a bit for each corner of the cell with a weight there
+  std::array<unsigned int, 8> Supports{}; ///< bits of the cell's corners with a weight there
 
   void Add(const glm::ivec3& place, unsigned int support)
   {
@@ -57,7 +58,7 @@ template <typename Sink>
 class Walk
 {
 public:
-  /// \param onlyCones part no cell is left whole
+  /// \param onlyCones divide every part into cones
   Walk(CurvedShape shape, const CellParts& parts, bool onlyCones, Sink& sink)
     : Shape(shape)
     , Frame(FrameOf(shape))
@@ -116,7 +117,7 @@ private:
   void Wedges();
   void Pyramids();
 
-  /// A part of the cell. It is a cone if something on its surface is divided further.
+  /// Add a part of the cell: whole or, if its surface is divided further, as cones.
   void Part(MeshCellType type, std::initializer_list<Place> places)
   {
     const Corners corners = this->CornersAt(places, this->Unit);
@@ -152,7 +153,7 @@ private:
     return common == all;
   }
 
-  /// The corners in any order: the cell is turned inside out if it has to be.
+  /// Add a tetrahedron with corners in any order. The orientation is corrected.
   void Tetrahedron(const Place& a, const Place& b, const Place& c, const Place& d)
   {
     this->IsLeft(a, b, c, d) ? this->Part(MeshCellType::Tetrahedron, { a, b, c, d })
@@ -194,7 +195,7 @@ private:
     {
       sum += corners[corner];
     }
-    // In a pyramid a third of the height, which is on the lattice.
+    // In a pyramid, the middle lies at a third of the height, on the lattice.
     return type == MeshCellType::Pyramid ? ((sum - corners[4]) / 4 * 2 + corners[4]) / 3
                                          : sum / corners.Count;
   }
@@ -204,8 +205,8 @@ private:
     return SupportOn(this->Shape, place, this->Of);
   }
 
-  /// The parts of the whole edge or face of the cell on which corners lie; those inside if there is
-  /// none.
+  /// Number of parts of the cell's edge or face that contains all corners; the inner number if none
+  /// does.
   int PartsAt(unsigned int support, bool isEdge) const
   {
     for (std::size_t edge = 0; isEdge && edge < this->EdgeMasks.size(); ++edge)
@@ -225,7 +226,7 @@ private:
     return this->Parts.Inside;
   }
 
-  /// The parts of the edge behind a corner.
+  /// Number of parts of the edge from a corner to the next one.
   int PartsOfEdge(const Corners& face, int corner) const
   {
     return this->PartsAt(face.SupportOf(corner) | face.SupportOf(face.After(corner)), true);
@@ -257,7 +258,7 @@ private:
       this->HasWholeEdges(face, this->Parts.Inside);
   }
 
-  /// Cones over the pieces of a face.
+  /// Add cones over the pieces of a face.
   void Cone(const Corners& face)
   {
     const int parts = this->PartsOfFace(face);
@@ -283,7 +284,8 @@ private:
     }
   }
 
-  /// A piece of a face, and the triangles around its middle if its edges are divided further.
+  /// Add the cone over a piece of a face or, if its edges are divided further, cones over triangles
+  /// around its middle.
   void Piece(const Corners& face, int parts)
   {
     if (this->HasWholeEdges(face, parts))
@@ -309,7 +311,7 @@ private:
     }
   }
 
-  /// A tetrahedron or pyramid.
+  /// Add a tetrahedron or pyramid over a base.
   void AddCone(const Corners& base)
   {
     const int last = base.Count - 1;

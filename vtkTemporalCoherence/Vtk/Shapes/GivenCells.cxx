@@ -18,7 +18,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// One list of ids of many; nothing if it begins or ends outside of them.
+/// Read one of many lists of ids. Fails if the list begins or ends outside of the array.
 bool ReadList(vtkCellArray* lists, vtkIdType list, vtkIdList* ids)
 {
   vtkDataArray* const offsets = lists->GetOffsetsArray();
@@ -26,7 +26,7 @@ bool ReadList(vtkCellArray* lists, vtkIdType list, vtkIdList* ids)
   {
     return false;
   }
-  // Compared as they are: a wrong one may be too large to be an id.
+  // Compare offsets as doubles: wrong ones may exceed the range of ids.
   const double begin = offsets->GetComponent(list, 0), end = offsets->GetComponent(list + 1, 0);
   const auto size = static_cast<double>(lists->GetConnectivityArray()->GetNumberOfTuples());
   if (!(begin >= 0.0 && begin <= end && end <= size))
@@ -37,7 +37,7 @@ bool ReadList(vtkCellArray* lists, vtkIdType list, vtkIdList* ids)
   return true;
 }
 
-/// What is known of the faces of a polyhedron.
+/// The outcome of a search for a polyhedron's faces.
 enum class FacesFound
 {
   All,
@@ -74,7 +74,7 @@ FacesFound FindFaces(
 
 #else
 
-/// A stream of numbers: that of the faces, and for each face that of its points, and these.
+/// Read VTK's face stream: the face count, then for each face its point count and point ids.
 FacesFound FindFaces(
   vtkUnstructuredGrid* grid, vtkIdType cell, std::vector<GivenCells::Face>& faces)
 {
@@ -86,7 +86,7 @@ FacesFound FindFaces(
   }
   const vtkIdType length = stream->GetNumberOfValues();
   vtkIdType at = cell < locations->GetNumberOfValues() ? locations->GetValue(cell) : length;
-  if (at == -1) // where VTK has no faces
+  if (at == -1) // VTK's mark for a cell without faces
   {
     return FacesFound::None;
   }

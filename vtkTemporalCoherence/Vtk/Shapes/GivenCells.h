@@ -31,12 +31,12 @@ public:
   GivenCells(vtkUnstructuredGrid* grid, std::string name = "the input");
 
   /// The points of a cell.
-  /// \param error gets what is wrong and what to do about it
+  /// \param error receives the mistake and its remedy
   /// \return false on error
   bool ReadPoints(vtkIdType cell, vtkIdList* points, std::string& error) const;
 
-  /// The faces of a polyhedron. Those with less than three points are left out.
-  /// \param error gets what is wrong and what to do about it
+  /// The faces of a polyhedron. Faces with fewer than three points are left out.
+  /// \param error receives the mistake and its remedy
   /// \return false on error
   bool ReadFaces(vtkIdType cell, std::vector<Face>& faces, std::string& error) const;
 
@@ -50,7 +50,7 @@ private:
   bool HasPoint(vtkIdType point) const;
 };
 
-/// The arrays that tell the faces of polyhedra, and the times of what they belong to.
+/// The arrays that define the faces of polyhedra, and the modification times of their owners.
 std::vector<std::pair<vtkDataArray*, vtkMTimeType>> FaceArraysOf(vtkUnstructuredGrid* grid);
 
 }

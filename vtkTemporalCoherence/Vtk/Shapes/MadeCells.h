@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_MadeCells_h
 #define TemporalCoherence_MadeCells_h
 
-#include "Mesh/Mesh.h"
+#include "Mesh/Cells/Mesh.h"
 #include "Scene/Progress.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ struct MadeCells
     this->Originals.push_back(original);
   }
 
-  /// For so many cells with so many numbers in their connectivity.
+  /// Reserve memory for cells, and for the ids in their connectivity.
   void Reserve(std::int64_t cells, std::int64_t ids)
   {
     this->Types.reserve(static_cast<std::size_t>(cells));
@@ -65,18 +65,18 @@ struct MadeCells
 
 using MadePointValues = std::shared_ptr<const std::vector<PointValue>>;
 
-/// What may be spent on cells that are made. Whoever makes them asks before it takes memory, and
-/// now and then while it works.
+/// The budget for making cells. Makers ask before they take memory, and from time to time during
+/// the work.
 class MakingBudget
 {
 public:
   std::size_t Memory = std::numeric_limits<std::size_t>::max(); ///< bytes
-  std::size_t PerCell = 0; ///< bytes that each made cell takes later
-  /// Bytes for cells that can be divided less, at most; the rest of the memory is for others.
+  std::size_t PerCell = 0; ///< bytes that each made cell will take later
+  /// Limit of the bytes for curved cells, which can be divided less. Other cells get the rest.
   std::size_t ForDivision = std::numeric_limits<std::size_t>::max();
   ReportProgress Report; ///< called by the calling thread only
 
-  /// \return false if so much memory for so many cells is too much. Then making ends.
+  /// \return false if this memory exceeds the budget. The maker must stop then.
   bool Allows(std::size_t bytes, std::int64_t cells)
   {
     this->Needed = std::max(this->Needed, bytes + this->PerCell * static_cast<std::size_t>(cells));
@@ -85,7 +85,7 @@ public:
 
   bool IsTooSmall() const { return this->Needed > this->Memory; }
 
-  /// Bytes that are needed at least, as far as is known.
+  /// The largest memory that makers have asked for, in bytes.
   std::size_t NeededMemory() const { return this->Needed; }
 
   /// \param share of the work that is done
@@ -96,7 +96,7 @@ private:
   std::size_t Needed = 0;
 };
 
-/// The most numbers in a connectivity.
+/// Limit of the ids in a connectivity.
 constexpr std::int64_t MostMadeIds = std::numeric_limits<std::int32_t>::max();
 
 /// The cells between points as a part of a mesh, which owns both.
@@ -124,7 +124,7 @@ inline MeshPart PartOf(const std::shared_ptr<const MadeCells>& cells, const Made
   return part;
 }
 
-/// The same with the points of the cells.
+/// A part of a mesh, made of cells that bring their own points.
 inline MeshPart PartOf(const std::shared_ptr<const MadeCells>& cells)
 {
   return PartOf(cells, MadePointValues(cells, &cells->Points));

@@ -29,8 +29,8 @@ bool HasValue(const PointValue& point)
   return !std::isnan(point[3]);
 }
 
-/// The mean of the distances of points from a plane is at least the largest one divided by their
-/// number, if they lie on one side. Faces may be warped.
+/// Required share of IsSeenFromMean. Points on one side of a plane have a mean distance of at least
+/// the largest distance / number (share 1). Less is required, because faces may be warped.
 constexpr double SeenWell = 0.25;
 
 PointValue MeanOf(const std::vector<PointValue>& points)
@@ -209,7 +209,7 @@ bool PolyhedronCells::HasConcaveFace(const std::vector<Face>& faces)
     });
 }
 
-/// Cones from the mean of the points, if it sees the surface well, else from other points.
+/// Add cones from the mean of the points if it sees the surface well, else from other points.
 void PolyhedronCells::AddCones(const Surface& surface, vtkIdType cell)
 {
   // A cell without a value at a point is hidden as a whole.
@@ -242,8 +242,8 @@ void PolyhedronCells::AddCones(const Surface& surface, vtkIdType cell)
   }
 }
 
-/// \param division stays empty if cones from the mean of the points do
-/// \return false if these leave the cell, but no other ones were found
+/// \param division stays empty if cones from the mean of the points suffice
+/// \return false if these cones leave the cell, but no division was found
 bool PolyhedronCells::Divide(const Surface& surface, ConeDivision& division)
 {
   const bool areFinite = std::all_of(surface.Places.begin(), surface.Places.end(),
@@ -282,7 +282,7 @@ void PolyhedronCells::AddCone(const SurfacePart& base, std::int32_t apex,
   }
 }
 
-/// The numbers that the points of a surface have among all.
+/// The numbers of a surface's points among all made points.
 std::vector<std::int32_t> PolyhedronCells::NumbersOf(const Surface& surface)
 {
   std::vector<std::int32_t> numbers(surface.Points.size(), -1);
@@ -302,7 +302,7 @@ std::vector<std::int32_t> PolyhedronCells::NumbersOf(const Surface& surface)
   return numbers;
 }
 
-/// Wedges around the axis.
+/// Add wedges around the axis.
 bool PolyhedronCells::AddPrism(vtkIdType cell, std::string& error)
 {
   const bool hasFive = this->Grid->GetCellType(cell) == VTK_PENTAGONAL_PRISM;
@@ -351,9 +351,9 @@ bool PolyhedronCells::AddPrism(vtkIdType cell, std::string& error)
   return true;
 }
 
-/// The Delaunay tetrahedra. Of points on one sphere, those with lower numbers decide, so that
-/// neighbours split a face alike. (vtkConvexPointSet goes by the order of points in the cell and
-/// stretches each cell to a cube, which neighbours do not agree on.)
+/// Add the Delaunay tetrahedra. Among points on one sphere, lower numbers decide, so that
+/// neighbours split a face alike. (vtkConvexPointSet depends on the order of points in the cell and
+/// stretches each cell to a cube, so its neighbours disagree.)
 void PolyhedronCells::AddConvexSet(vtkIdType cell)
 {
   vtkNew<vtkIdList> points;
@@ -375,7 +375,7 @@ void PolyhedronCells::AddConvexSet(vtkIdType cell)
     }
     return !isFinite;
   };
-  // The other points are a convex set, too.
+  // The remaining points are a convex set, too.
   unique.erase(std::remove_if(unique.begin(), unique.end(), isNowhere), unique.end());
   std::vector<glm::dvec3> scaled;
   if (unique.size() < 4 || !haveValues || !ScaleToUnit(places, scaled))

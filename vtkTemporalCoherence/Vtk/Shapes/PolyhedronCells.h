@@ -37,10 +37,10 @@ bool IsPolyhedron(int type);
 
 /// Makes linear cells of cells with many faces.
 ///
-/// All that neighbours share is made of a face alone: a triangle stays one, a convex quadrilateral
-/// is bilinear, as that of a hexahedron, and a face with more points becomes triangles around a
-/// point in its middle, which has the mean of its points and of their values. A concave face
-/// becomes triangles between its points.
+/// The division of a face depends on this face alone, so neighbours share it. A triangle stays
+/// whole, a convex quadrilateral is bilinear like a hexahedron's face, and a face with more points
+/// becomes triangles around its middle, which has the mean of its points and of their values. A
+/// concave face becomes triangles between its points.
 class PolyhedronCells
 {
 public:
@@ -51,16 +51,16 @@ public:
   /// \return false on error
   bool Add(vtkIdType cell, std::string& error);
 
-  /// Cells that are concave, but could not be divided without leaving them.
+  /// Concave cells that are drawn beyond their faces, because no division was found.
   std::vector<vtkIdType> Overlapping;
 
-  std::int64_t Searches = 0; ///< for a division, which may take long
+  std::int64_t Searches = 0; ///< searches for a division, which may take long
 
 private:
   using Face = GivenCells::Face;
 
-  /// The surface of a cell. Points have numbers of their own in it: those of the cell come first,
-  /// then the middles of faces.
+  /// The surface of a cell. It numbers its own points: first the cell's points, then the middles of
+  /// faces.
   struct Surface
   {
     std::vector<Face> Faces;
@@ -97,7 +97,7 @@ private:
   MadeCells& Made;
   FaceCutter Cutter;
   DivisionWork Work;
-  Surface Last; ///< so that memory is taken once
+  Surface Last; ///< a member to re-use its memory
   std::vector<std::int32_t> FaceNumbers;
   std::vector<PointValue> FacePoints;
   std::vector<glm::dvec3> FacePlaces;

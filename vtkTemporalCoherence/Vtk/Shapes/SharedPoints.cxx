@@ -11,7 +11,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Weights without common divisor; points that are named twice once.
+/// Sort a name and merge equal points. After a merge, divide all weights by their common divisor.
 void MakeUnique(SharedPoints::Name& name)
 {
   std::sort(name.begin(), name.end());

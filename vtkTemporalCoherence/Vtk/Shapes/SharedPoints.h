@@ -13,7 +13,7 @@
 namespace TemporalCoherence
 {
 
-/// The finisher of splitmix64: each bit depends on all.
+/// The finisher of splitmix64: each bit of the result depends on all bits.
 inline std::uint64_t MixBits(std::uint64_t bits)
 {
   bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -21,15 +21,15 @@ inline std::uint64_t MixBits(std::uint64_t bits)
   return bits ^ (bits >> 31);
 }
 
-/// Numbers of points that cells share, by names: points of the data set with whole numbers as
-/// weights. So neighbours find the same point without comparing coordinates.
+/// Numbers points that cells share. The name of a point consists of data set points with integer
+/// weights. So neighbours find a common point without comparing coordinates.
 class SharedPoints
 {
 public:
   using Name = std::vector<std::pair<std::int64_t, std::int64_t>>; ///< point, weight; in any order
 
-  /// 128 bits of a name. Two names with the same bits are taken to be equal: in 10^9 names, the
-  /// chance is 1e-21.
+  /// A hash of a name. Equal hashes count as equal names: the chance of a collision among 10^9
+  /// names is 1e-21.
   struct Key
   {
     std::uint64_t First, Second;
@@ -38,7 +38,7 @@ public:
   /// \param name is sorted, and its equal points are merged
   static Key KeyOf(Name& name);
 
-  /// Have memory bring what Find needs.
+  /// Prefetch the memory that Find reads.
   void Prefetch(const Key& key) const
   {
     if (!this->Entries.empty())
@@ -48,12 +48,12 @@ public:
     }
   }
 
-  /// The number of the point with this name. If it is new, it gets the number given.
+  /// The number of the point with this name. A new point gets the number `ifNew`.
   /// \throws std::bad_alloc
   std::int32_t Find(const Key& key, std::int32_t ifNew);
   std::int32_t Find(Name& name, std::int32_t ifNew) { return this->Find(KeyOf(name), ifNew); }
 
-  /// Of a point of the data set.
+  /// The number of a point of the data set.
   std::int32_t Find(std::int64_t point, std::int32_t ifNew);
 
   std::size_t MemoryInBytes() const { return this->Entries.size() * sizeof(Entry); }
@@ -62,13 +62,13 @@ private:
   struct Entry
   {
     Key Bits;
-    std::int32_t Number = -1; ///< of no point
+    std::int32_t Number = -1; ///< -1: unused entry
   };
 
   Entry& EntryOf(const Key& key);
   void Grow();
 
-  std::vector<Entry> Entries; ///< as many as a power of two; at most half of them are used
+  std::vector<Entry> Entries; ///< the size is a power of two; at most half of them are used
   std::size_t Used = 0;
 };
 

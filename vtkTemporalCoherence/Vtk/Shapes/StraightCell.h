@@ -12,7 +12,7 @@
 namespace TemporalCoherence
 {
 
-/// What a cell with curved edges looks like if they are straight.
+/// The shape of a curved cell with straightened edges.
 enum class CurvedShape : std::uint8_t
 {
   Tetrahedron,
@@ -25,7 +25,7 @@ enum class CurvedShape : std::uint8_t
 struct ShapeFrame
 {
   int NumberOfCorners;
-  std::vector<std::vector<int>> Faces; ///< each one around
+  std::vector<std::vector<int>> Faces; ///< corners in order around each face
   std::vector<std::array<int, 2>> Edges;
 };
 
@@ -63,7 +63,7 @@ inline CornerWeights WeightsOf(CurvedShape shape, const DivisionPlace& place)
   return WeightsOn(shape, NumbersOf(place), place.Of);
 }
 
-/// A bit for each corner that has a weight.
+/// One bit for each corner, set if its weight is not 0.
 unsigned int SupportOn(CurvedShape shape, const glm::ivec3& place, int of);
 
 /// Weights of the corners at any place in the straight cell with edges of length 1. Their sum is 1.

@@ -20,7 +20,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The cells of a grid that are to be replaced.
+/// Cells of a grid that linear cells replace.
 struct CellsToReplace
 {
   CurvedCells Curved;
@@ -53,10 +53,10 @@ bool FindCells(const GivenCells& given, const std::uint8_t* flags, std::uint8_t 
   return true;
 }
 
-/// Shares of the progress that are reached with the plan, with the cells, and with their points.
+/// Progress after the plan, after the cells, and after their points.
 constexpr double Planned = 0.3, Divided = 0.8, Placed = 0.9;
 
-/// About what it takes to make cells, and what is kept with them.
+/// Estimated memory of made cells, with the data that are kept for them.
 std::size_t MemoryOf(const DivisionSize& size, std::size_t perCell)
 {
   constexpr double bytesOfCell = sizeof(std::uint8_t) + sizeof(std::int32_t) + sizeof(std::int64_t);
@@ -86,7 +86,7 @@ public:
     return this->Of.Measure(progress) && this->Choose(PartOf(progress, 1.0, 1.0));
   }
 
-  /// Divide less, as the cells did not fit.
+  /// Divide less, because the cells did not fit.
   /// \return false if all cells are whole, or if progress stopped it
   bool Coarsen(const ReportProgress& progress)
   {
@@ -131,13 +131,13 @@ private:
       {
         return true;
       }
-      // There are about as many cells as the error to the power of -3/2.
+      // The number of cells is about proportional to error^(-3/2).
       constexpr double least = 1.05;
       this->Goal *= std::max(least, std::pow(over, 2.0 / 3.0));
     }
   }
 
-  /// How often the cells are more than what is allowed.
+  /// Ratio of the cells (or their memory) to the limit.
   double Excess()
   {
     const double ofCells =
@@ -158,8 +158,8 @@ private:
   DivisionLimit Limit = DivisionLimit::Goal;
 };
 
-/// Make linear cells of the curved ones.
-/// \return false if the budget does not do, or if it was stopped
+/// Make the linear cells of curved ones.
+/// \return false if the budget is too small, or if it was stopped
 bool MakeCurvedCells(const CurvedSource& source, const BudgetedPlan& plan, MakingBudget& budget,
   SharedPoints& shared, MadeCells& made, CurvedPoints& points)
 {
@@ -175,9 +175,9 @@ bool MakeCurvedCells(const CurvedSource& source, const BudgetedPlan& plan, Makin
   return areDivided;
 }
 
-/// Plan, and make linear cells of the curved ones, without their points. Less are made if they do
-/// not fit into the memory.
-/// \return false if the budget does not do, or if it was stopped
+/// Plan and make the linear cells of curved ones, without their points. If memory is too small, the
+/// cells are divided less.
+/// \return false if the budget is too small, or if it was stopped
 bool MakeCurvedWithin(const CurvedSource& source, BudgetedPlan& plan, MakingBudget& budget,
   SharedPoints& shared, MadeCells& made, CurvedPoints& points)
 {
@@ -212,8 +212,8 @@ std::string HaveTooMany(const GivenCells& given, const CellsToReplace& cells)
 }
 
 /// Make linear cells of polyhedra.
-/// \param told  gets which of them are left
-/// \param error empty if the budget does not do, or if it was stopped
+/// \param told  receives the polyhedra that are drawn beyond their faces
+/// \param error empty if the budget is too small, or if it was stopped
 bool MakePolyhedra(const GivenCells& given, const CellsToReplace& cells, const PointReader& reader,
   MakingBudget& budget, SharedPoints& shared, MadeCells& made, Subdivision& told,
   std::string& error)
@@ -336,7 +336,7 @@ bool SetSubdividedValues(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, 
     grid, kept.Curved, PointReader{ grid->GetPoints(), pointScalars, component });
   BudgetedPlan plan(source, budget);
   isStopped = !plan.Make(PartOf(budget.Report, 0.0, 0.5));
-  // More parts than are needed would do, too. But a picture must not tell what was drawn before.
+  // More parts than needed would suffice. But a picture must not depend on earlier frames.
   if (isStopped || plan.Of.Parts() != kept.Parts)
   {
     return false;

@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  /// True if there is more than background in the window.
+  /// True if the window shows a prop in a part of the picture.
   bool HasDepths(const PixelRect& part) const
   {
     bool isThere = false;

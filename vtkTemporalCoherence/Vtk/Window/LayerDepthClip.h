@@ -12,12 +12,12 @@ namespace TemporalCoherence
 
 /// Clip the layers of a picture by the window's depth buffer: each pixel shows the layers in front
 /// of other props. If all layers of a pixel lie behind, it keeps its colour: the depth test hides
-/// it, and does so sample by sample.
+/// it, sample by sample.
 /// \param rect        whole tiles of the frame
 /// \param depths      of the window's pixels in rect, row by row
 /// \param size        window pixels along each axis; a coarse picture has fewer pixels
 /// \param[out] colors of these pixels, premultiplied
-/// \return false if these are the picture's own colours
+/// \return false if they equal the picture's own colours
 /// \throws std::bad_alloc
 bool ClipLayersAt(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
   const Frame& frame, const View& view, std::vector<PixelColor>& colors);

@@ -26,7 +26,7 @@ bool IsSoftwareRenderer(const std::string& name)
   std::string lower = name;
   std::transform(lower.begin(), lower.end(), lower.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  // Mesa's, Google's, Apple's, and those of Windows without a driver.
+  // Renderers of Mesa, Google and Apple, and of Windows without a driver.
   constexpr std::array<const char*, 8> words = { "llvmpipe", "softpipe", "swrast", "swr",
     "swiftshader", "software", "gdi generic", "basic render" };
   return std::any_of(words.begin(), words.end(),
@@ -35,7 +35,7 @@ bool IsSoftwareRenderer(const std::string& name)
 
 bool HasSoftwareOpenGL(vtkRenderWindow* window)
 {
-  // Among lines about the window, with words for users.
+  // The report is a text for users. One line of it names the renderer.
   const std::string label = "OpenGL renderer string:";
   const char* const report = window->ReportCapabilities();
   const std::string text = report ? report : "";

@@ -39,10 +39,10 @@ constexpr unsigned char True = 1;
 constexpr unsigned char False = 0;
 }
 
-/// The part of the window that is being drawn.
+/// The present viewport in the window.
 PixelRect ViewportOf(vtkOpenGLRenderWindow* window);
 
-/// True if the name of an OpenGL renderer is that of a rasteriser that runs on the CPU.
+/// True if an OpenGL renderer with this name runs on the CPU.
 bool IsSoftwareRenderer(const std::string& name);
 
 /// True if the OpenGL of a window, whose context is current, runs on the CPU. Takes a while.

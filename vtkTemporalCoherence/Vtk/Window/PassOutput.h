@@ -19,8 +19,8 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// What a render pass of VTK needs from a surface. Such passes modify the shaders of polygons; the
-/// shader of a picture provides it by itself.
+/// The output that a render pass of VTK needs from a surface. Such a pass modifies the shaders of
+/// polygons; the shader of a picture writes the output itself.
 enum class PassOutput : std::uint8_t
 {
   Color,    ///< no such pass: colour and depth
@@ -29,7 +29,7 @@ enum class PassOutput : std::uint8_t
 };
 constexpr std::size_t NumberOfPassOutputs = 3;
 
-/// What the pass that is drawing a volume needs.
+/// The output for the pass that is drawing a volume.
 PassOutput OutputFor(vtkVolume* volume);
 
 /// Declarations and statements for the fragment shader. They read `texCoord`, and `color` and

@@ -69,7 +69,7 @@ struct PeelPresenter::Resources
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads; ///< by shader
   vtkNew<vtkTextureObject> Layers;         ///< position and number of each pixel's layers
   vtkNew<vtkTextureObject> Depths, Colors; ///< of the layers
-  std::vector<std::uint64_t> Held;         ///< which layers the textures hold (PeeledPicture)
+  std::vector<std::uint64_t> Held; ///< PeeledPicture::Numbers() of the layers in the textures
   bool HasLayers = false;
   std::shared_ptr<const PeeledLayers> Own; ///< layers of the volume's last picture
   std::uint64_t OwnNumber = 0;             ///< of that picture
@@ -80,7 +80,7 @@ struct PeelPresenter::Resources
   bool Upload(const PeeledLayers& layers);
 };
 
-/// Find the layers of a picture, if they are not known.
+/// Find the layers of a picture unless they are known.
 void PeelPresenter::Resources::TakeLayers(const ShownFrame& shown)
 {
   if (!this->Own || this->OwnNumber != shown.Number)
@@ -184,7 +184,7 @@ bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkV
   return !this->OpenGL->HasLayers || this->Draw(pass, volume, isInPlaceOfOthers, error);
 }
 
-/// \param isInPlaceOfOthers overwrite what volumes before this one have drawn
+/// \param isInPlaceOfOthers overwrite the colours of earlier volumes
 bool PeelPresenter::Draw(
   const PeelingPass& pass, vtkVolume* volume, bool isInPlaceOfOthers, std::string& error)
 {

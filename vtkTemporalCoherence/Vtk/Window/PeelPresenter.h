@@ -23,10 +23,10 @@ namespace TemporalCoherence
 /// depths that the pass asks for.
 ///
 /// If two volumes lie in the same slab, the pass blends their colours by the maximum. So the layers
-/// of several volumes are merged here, by their depths. In the first round each volume draws its
-/// layers with those of all volumes before it, in place of what these have drawn; afterwards the
-/// last volume draws for all. Volumes of other mappers are blended as the pass
-/// does it, but a second volume of ours replaces what they have drawn before it in the first round.
+/// of several volumes are merged here, by their depths. In the first round each volume draws the
+/// merged layers of itself and of all volumes before it, and overwrites their colours. In later
+/// rounds the last volume draws for all. The pass blends volumes of other mappers itself, but in
+/// the first round a second volume of ours overwrites their colours, too.
 class PeelPresenter
 {
 public:
@@ -34,18 +34,18 @@ public:
   ~PeelPresenter();
 
   /// \param shown its number tells whether the textures of the last picture can be shown again
-  /// \param error gets what is wrong if the result is false
+  /// \param error receives the mistake if the result is false
   bool Present(const PeelingPass& pass, vtkRenderer* renderer, vtkVolume* volume,
     const ShownFrame& shown, std::string& error);
 
-  /// Free what is held in the context of a window; in any, if it is null.
+  /// Free resources in the context of a window; in any context if it is null.
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   struct Resources;
   bool Draw(const PeelingPass& pass, vtkVolume* volume, bool isInPlaceOfOthers, std::string& error);
 
-  std::unique_ptr<Resources> OpenGL; ///< null while nothing is held in a context
+  std::unique_ptr<Resources> OpenGL; ///< null without resources in a context
 };
 
 }

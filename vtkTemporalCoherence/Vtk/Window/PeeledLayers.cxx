@@ -16,7 +16,7 @@ namespace
 
 using Layer = PeeledLayers::Layer;
 
-/// Lists of layers, one for each pixel, stored one after the other.
+/// Lists of layers, one for each pixel, in consecutive memory.
 struct LayerLists
 {
   std::vector<Layer> Layers;
@@ -27,7 +27,7 @@ using FineColor = PeeledLayers::FineColor;
 
 constexpr std::uint16_t Opaque = 65535;
 
-/// The colour of a layer, from the composites with it and without it.
+/// A layer's own colour, computed from two composites: with and without it.
 FineColor OwnColor(const LayerColor& with, const LayerColor& without)
 {
   const int passed = LayerColor::Steps + LayerColor::Half - without.Values[3];
@@ -40,7 +40,7 @@ FineColor OwnColor(const LayerColor& with, const LayerColor& without)
   return own;
 }
 
-/// An opaque surface has no more than the bytes of its colour.
+/// The colour of an opaque surface, of which only bytes are known.
 FineColor OwnColor(const PixelColor& color)
 {
   constexpr int step = Opaque / 255;
@@ -55,7 +55,7 @@ bool IsOpaque(const Layer& layer)
   return layer.Color[3] == Opaque;
 }
 
-/// Make room for each list behind the one before it.
+/// Make room for all lists in consecutive memory.
 /// \param counts of layers in each list
 void MakeRoom(const std::vector<std::size_t>& counts, LayerLists& lists)
 {
@@ -82,7 +82,7 @@ void FillWithLayers(const Frame& frame, const View& view, std::int64_t tile, Lay
   }
 }
 
-/// The same for opaque surfaces: at most one for each pixel.
+/// Fill the lists of a tile with the hits of opaque surfaces, at most one for each pixel.
 void FillWithHits(const Frame& frame, const View& view, std::int64_t tile, LayerLists& lists)
 {
   const PixelRect part = PixelsOfTile(frame.Size, tile);
@@ -131,8 +131,9 @@ LayerLists ListsOf(const Frame& frame, const View& view)
   return lists;
 }
 
-/// Merge two sorted lists up to the first opaque layer. \return the number of layers, which are
-/// stored if there is room for them
+/// Merge two sorted lists up to the first opaque layer.
+/// \param to receives the layers; null: they are only counted
+/// \return the number of layers
 std::size_t Merge(
   const Layer* a, const Layer* endOfA, const Layer* b, const Layer* endOfB, Layer* to)
 {
@@ -159,7 +160,7 @@ std::size_t Merge(
 PeeledLayers PeeledLayers::Of(const Frame& frame, const View& view, bool isBlended)
 {
   LayerLists lists = ListsOf(frame, view);
-  // A volume may be seen first where something opaque ends it, and lies before that.
+  // The first visible place of a volume may be the opaque prop that ends it. It must lie in front.
   constexpr float before = 1e-6f;
   for (std::size_t i = 0; isBlended && i < lists.Layers.size(); ++i)
   {

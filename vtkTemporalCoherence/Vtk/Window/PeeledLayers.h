@@ -19,18 +19,18 @@ class PeeledLayers
 {
 public:
   /// A colour as textures of 16 bits hold it: premultiplied RGBA, 65535 is 1. Several layers lie
-  /// over one another in a pixel: their errors add up, and those of bytes would be seen.
+  /// over one another in a pixel: their errors add up, and errors of bytes would be visible.
   using FineColor = std::array<std::uint16_t, 4>;
 
   /// A layer at a pixel.
   struct Layer
   {
     float Depth;     ///< of the depth buffer
-    FineColor Color; ///< its own
+    FineColor Color; ///< of this layer alone
   };
 
-  /// Those of one picture, at each of its rays.
-  /// \param isBlended the picture shows a volume, which is one layer where it is first seen
+  /// Make the layers of one picture, ray by ray.
+  /// \param isBlended the picture shows a blended volume: one layer at its first visible place
   /// \throws std::bad_alloc
   static PeeledLayers Of(const Frame& frame, const View& view, bool isBlended);
 
@@ -44,8 +44,8 @@ public:
 
   const glm::ivec2& Size() const { return this->Pixels; }
 
-  /// The layers of all pixels, row by row from below. Firsts holds where the layers of each pixel
-  /// begin, and the end of the last.
+  /// The layers of all pixels, row by row from below. Begins() holds the position of each pixel's
+  /// first layer, and the end of all.
   const std::vector<Layer>& All() const { return this->Layers; }
   const std::vector<std::size_t>& Begins() const { return this->Firsts; }
 

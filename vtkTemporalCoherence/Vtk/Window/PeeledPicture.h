@@ -36,31 +36,32 @@ public:
   /// Add the layers of a volume to the picture that a pass is drawing.
   /// \param who    adds them
   /// \param size   pixels of the viewport
-  /// \param number of the volume's picture: another one for other layers, in the whole process
+  /// \param number of the volume's picture: different layers have different numbers in the whole
+  ///               process
   void Add(const PeelingPass& pass, const void* who, const glm::ivec2& size, std::uint64_t number,
     std::shared_ptr<const PeeledLayers> layers);
 
-  /// The one that draws for all: the last one that added layers.
+  /// True for the last one that added layers: it draws for all.
   bool IsDrawnBy(const void* who) const { return this->Last == who; }
 
   /// How many volumes have added layers so far.
   std::size_t NumberOfVolumes() const { return this->Added.size(); }
 
-  /// The same numbers mean the same layers: those of the volumes so far, and the viewport's size.
+  /// Equal numbers mean equal layers of the volumes so far, and an equal size of the viewport.
   const std::vector<std::uint64_t>& Numbers() const { return this->Identity; }
 
   /// The layers of the volumes so far.
   /// \throws std::bad_alloc
   const PeeledLayers& Merged();
 
-  /// Free the memory of the layers. None can be added afterwards.
+  /// Free the memory of the layers. After that no layers can be added.
   void ReleaseLayers();
 
 private:
   glm::ivec2 Size{ 0 };
   std::vector<std::shared_ptr<const PeeledLayers>> Added;
   std::vector<std::uint64_t> Identity;
-  PeeledLayers All;             ///< the first ones of Added, merged
+  PeeledLayers All;             ///< the first NumberMerged of Added, merged
   std::size_t NumberMerged = 0; ///< of Added
   const void* Pass = nullptr;
   vtkMTimeType Time = 0; ///< of the pass

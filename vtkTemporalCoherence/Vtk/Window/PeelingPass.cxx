@@ -42,11 +42,11 @@ constexpr const char* Template = "//VTK::System::Dec\n"
                                  "//VTK::CallWorker::Impl\n"
                                  "}\n";
 
-/// Textures that the pass binds in certain stages, which tells the stages apart.
+/// Textures that only certain stages of the pass bind: they identify the stage.
 constexpr const char* OfPeels = "lastFrontColorTex";
 constexpr const char* OfRest = "depthRangeTex";
 
-/// Reaches the textures of any pass: they are for derived classes.
+/// Accesses the textures of any pass, which are protected members.
 struct Targets : vtkDualDepthPeelingPass
 {
   static std::vector<vtkTextureObject*> Of(vtkDualDepthPeelingPass* pass)
@@ -60,7 +60,7 @@ struct Targets : vtkDualDepthPeelingPass
   }
 };
 
-/// Give a texture of bytes another format, and its contents back.
+/// Change a texture of bytes to 16 bits a channel, and keep its contents.
 void Refine(vtkTextureObject* texture)
 {
   constexpr int channels = 4;

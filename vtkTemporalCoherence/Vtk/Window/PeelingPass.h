@@ -30,7 +30,7 @@ namespace TemporalCoherence
 class PeelingPass
 {
 public:
-  /// The pass that is drawing a volume; none if no such pass is.
+  /// The pass that is drawing a volume; none without such a pass.
   static std::optional<PeelingPass> Of(vtkVolume* volume);
 
   /// True if the pass draws the volume for the first time in a picture.
@@ -47,11 +47,11 @@ public:
   /// \param width, height of the viewport
   void SetUniforms(vtkShaderProgram* program, vtkVolume* volume, int width, int height) const;
 
-  /// Give the pass targets of 16 bits for each channel, once. Its own have 8, and it rounds to them
-  /// twice for each polygon along a line of sight. What is drawn in them stays.
+  /// Give the pass targets of 16 bits for each channel, once. Its own targets have 8 bits, and it
+  /// rounds to them twice for each polygon along a line of sight. Contents of the targets stay.
   void RefineTargets() const;
 
-  /// Read the depths of what was opaque before the pass began, row by row from below.
+  /// Read the depths of opaque props from before the pass, row by row from below.
   /// \param size of the viewport
   /// \return false if they cannot be read
   /// \throws std::bad_alloc

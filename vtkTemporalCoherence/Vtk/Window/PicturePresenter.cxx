@@ -62,8 +62,8 @@ struct PicturePresenter::Resources
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkTextureObject> Clipped; ///< colours clipped by the window's depths
   vtkNew<vtkTextureObject> Normal;  ///< in the world, for passes that ask for it
-  std::uint64_t PictureNumber = 0;  ///< the one in the textures
-  std::uint64_t NormalsPicture = 0; ///< the one in the texture of normals
+  std::uint64_t PictureNumber = 0;  ///< of the picture in the textures
+  std::uint64_t NormalsPicture = 0; ///< of the picture in the texture of normals
   glm::ivec2 Pixels{ 0 };           ///< of the viewport that the picture was made for
   glm::ivec2 Size{ 0 };             ///< of the whole picture
   PixelRect Rect;                   ///< the part of it in the textures
@@ -155,7 +155,7 @@ bool PicturePresenter::Prepare(
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   if (!window)
   {
-    error = "The renderer has no OpenGL render window; add it to one, or use RenderToImage, which "
+    error = "The renderer has no OpenGL render window; add it to one, or use MakeImage, which "
             "needs none.";
     return false;
   }
@@ -211,7 +211,8 @@ bool PicturePresenter::Prepare(
 }
 
 /// Put the picture's colours into the texture Clipped, without the layers that lie behind other
-/// props in the window. \return false if that is not necessary or not possible
+/// props in the window.
+/// \return false if no layer is clipped, or if depths cannot be read
 bool PicturePresenter::ClipLayers(const Frame& frame, const View& view)
 {
   vtkOpenGLRenderWindow* window = this->OpenGL->Window;
@@ -234,7 +235,7 @@ bool PicturePresenter::ClipLayers(const Frame& frame, const View& view)
 
 /// Clip layers by the depths that were read.
 /// \param size window pixels that the picture covers
-/// \return false if these are the picture's own colours
+/// \return false if no colour changes
 bool PicturePresenter::ClipColorsAt(const glm::ivec2& size, const Frame& frame, const View& view)
 {
   const PixelRays rays(frame.Size, this->Shown.Size);

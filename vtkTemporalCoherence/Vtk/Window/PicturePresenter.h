@@ -28,35 +28,35 @@ struct ShownFrame
 {
   const Frame& Picture;
   const TemporalCoherence::View& View;
-  glm::ivec2 Pixels;          ///< of the viewport; their number may differ from that of the rays
+  glm::ivec2 Pixels;          ///< of the viewport; there may be more or fewer rays
   std::uint64_t Number;       ///< changes whenever the frame or the view does
-  bool IsBlended = false;     ///< it shows no surfaces, however opaque it is
-  bool ComparesDepths = true; ///< false if its rays end at what hides them in the window
+  bool IsBlended = false;     ///< it shows a blended volume, not surfaces
+  bool ComparesDepths = true; ///< false if its rays end at the window's props already
 };
 
 /// Draws a finished frame into the renderer's window: colour and depth as two textures on one quad,
 /// so that surfaces and other props hide each other pixel by pixel. Only the rectangle that holds
 /// hits is uploaded and drawn, and only a picture that differs from the last is uploaded.
 ///
-/// If there are more rays than pixels, each pixel shows the mean of its rays (WindowPicture). It is
-/// translucent if some of them miss.
+/// If there are more rays than pixels, each pixel shows the mean of its rays (WindowPicture).
+/// Pixels with missing rays are translucent.
 ///
-/// Opaque hits are drawn with their depths. Translucent ones are blended over what lies behind them
-/// in the window, and write no depth. If another prop lies among translucent layers, the layers in
-/// front of it are drawn. A volume that is blended is drawn as translucent hits are, wherever it is
-/// opaque, and without regard to depths if its rays end at other props.
+/// Opaque hits are drawn with their depths. Translucent hits are blended over the contents of the
+/// window, and write no depth. If another prop lies among translucent layers, the layers in front
+/// of it are drawn. A blended volume is drawn like translucent hits, even where it is opaque. Its
+/// depths are not compared if its rays end at other props.
 class PicturePresenter
 {
 public:
   PicturePresenter();
   ~PicturePresenter();
 
-  /// \param volume  that render passes know; may be null
-  /// \param error   gets what is wrong if the result is false
+  /// \param volume  the drawn prop, for render passes; may be null
+  /// \param error   receives the mistake if the result is false
   bool Present(
     vtkRenderer* renderer, vtkVolume* volume, const ShownFrame& shown, std::string& error);
 
-  /// Draw other colours instead of those of the hits, unchanged and unblended.
+  /// Draw the hits in other colours, unchanged and unblended.
   /// \param colorOf returns the colour for a ray with a hit; other pixels are not drawn
   bool PresentColors(vtkRenderer* renderer, const ShownFrame& shown,
     const std::function<PixelColor(const glm::ivec2&)>& colorOf, std::string& error);
@@ -72,17 +72,17 @@ private:
   bool ClipColorsAt(const glm::ivec2& size, const Frame& frame, const View& view);
   void UploadNormals(const Frame& frame);
 
-  /// Which hits are drawn, and how.
+  /// The hits to draw, and the way to draw them.
   struct Parts
   {
     bool Opaque, Translucent;
-    bool AreBlended = false;    ///< also the opaque ones: they write no depth
-    bool ComparesDepths = true; ///< with those of the window
+    bool AreBlended = false;    ///< opaque hits are blended, too, and write no depth
+    bool ComparesDepths = true; ///< with the window's depths
   };
   void Draw(vtkTextureObject* color, const Parts& parts);
 
   std::unique_ptr<Resources> OpenGL; ///< null without resources in a context
-  WindowPicture Shown;               ///< members to re-use their memory, like those below
+  WindowPicture Shown;               ///< a member to re-use its memory, like the next two
   std::vector<float> Depths;
   std::vector<PixelColor> ClippedColors;
 };

@@ -21,7 +21,7 @@ Long2 DividedUp(const Long2& a, const Long2& b)
 
 }
 
-// Along an axis, let the length of a pixel be the number of rays, and that of a ray the number of
+// Along an axis, let a pixel be as long as the number of rays, and a ray as long as the number of
 // pixels. Then all ends and overlaps are integers.
 
 glm::ivec2 PixelRays::AtCentre(const glm::ivec2& pixel) const

@@ -15,8 +15,8 @@ namespace TemporalCoherence
 /// RGBA.
 using PixelColor = std::array<std::uint8_t, 4>;
 
-/// Maps pixels of a window to rays of a frame, of which there may be as many, fewer, or more. Each
-/// ray covers an equal share of the picture's area.
+/// Maps pixels of a window to rays of a frame. The numbers of both may differ. Each ray covers an
+/// equal share of the picture's area.
 class PixelRays
 {
 public:
@@ -35,13 +35,13 @@ public:
   /// All rays whose areas overlap a pixel.
   PixelRect In(const glm::ivec2& pixel) const;
 
-  /// The ray that gives the position of a pixel's surface, for depth buffers and picks: the one at
-  /// its centre; if that misses, the one with the nearest hit.
+  /// The ray that locates a pixel's surface, for depth buffers and picks: the ray at its centre or,
+  /// if that misses, the ray with the nearest hit.
   /// \return none if all rays miss
   std::optional<glm::ivec2> Shown(const Frame& frame, const glm::ivec2& pixel) const;
 
-  /// The mean colour of a pixel's rays, weighted by their areas within the pixel. It is opaque only
-  /// if all rays are, and its alpha is 0 only if that of all rays is.
+  /// The mean colour of a pixel's rays, weighted by their areas within the pixel. One translucent
+  /// ray makes it translucent. Its alpha is 0 only if every ray's alpha is 0.
   /// \param colors of the rays of `part`, row by row; other rays count as 0
   PixelColor MeanColor(
     const PixelColor* colors, const PixelRect& part, const glm::ivec2& pixel) const;

@@ -28,14 +28,14 @@ constexpr std::int64_t RowGrain = 16;
 /// The depth of the background.
 constexpr float FarthestDepth = 1.0f;
 
-/// The t at which a ray has a depth in the window.
+/// The t of a ray at a depth of the window.
 double DistanceAt(const View& view, const Ray& ray, float depth)
 {
   if (depth >= FarthestDepth)
   {
     return std::numeric_limits<double>::infinity();
   }
-  // Clip coordinates are linear along the ray, and z by w is what the depth tells.
+  // Clip coordinates are linear along the ray, and the depth gives z / w.
   const double z = 2.0 * static_cast<double>(depth) - 1.0;
   const glm::dvec4 plane = RowOf(view.ClipFromWorld, 2) - z * RowOf(view.ClipFromWorld, 3);
   return -glm::dot(plane, glm::dvec4(ray.Origin, 1.0)) /
@@ -47,7 +47,7 @@ bool MayHideVolume(vtkRenderer* renderer, vtkVolume* volume)
 {
   if (renderer->GetPreserveDepthBuffer())
   {
-    return true; // what other renderers have drawn is there
+    return true; // the depths of other renderers are there
   }
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator at;
@@ -74,7 +74,7 @@ RayEnds EndsAt(const std::vector<float>& depths, const glm::ivec2& size, const V
   const glm::ivec2& rays = view.Size;
   const auto ends = std::make_shared<std::vector<double>>(
     static_cast<std::size_t>(rays.x) * static_cast<std::size_t>(rays.y));
-  // Each ray ends where the pixel that holds its centre tells.
+  // Each ray ends at the depth of the pixel that holds its centre.
   const PixelRays pixels(size, rays);
   ParallelFor(rays.y, RowGrain,
     [&](std::int64_t row)

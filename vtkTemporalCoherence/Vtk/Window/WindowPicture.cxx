@@ -116,13 +116,12 @@ void ForRows(const PixelRect& rect, const Work& work)
     });
 }
 
-/// Collects which kinds of pixels there are, row by row, while the rows are in the caches of
-/// threads.
+/// Collects the kinds of pixels in a picture, row by row, while rows are in the caches of threads.
 struct PixelKinds
 {
   void See(const PixelColor* row, int count)
   {
-    // Only ever set, so that no thread overwrites the result of another.
+    // Flags are set, never cleared, so threads cannot overwrite each other's result.
     if (!this->Opaque && std::any_of(row, row + count, IsOpaque))
     {
       this->Opaque = true;

@@ -14,9 +14,8 @@ namespace TemporalCoherence
 /// The value of the depth buffer for a hit at distance t: 0 at the near plane, 1 at the far plane.
 float WindowDepthOf(const View& view, const glm::ivec2& pixel, double t);
 
-/// A frame prepared for a window: the rectangle with all of its hits, row by row from below. It has
-/// one pixel for each ray or, if there are more rays than pixels in the window, one for each window
-/// pixel.
+/// A frame prepared for a window: the rectangle around all hits, row by row from below. Its pixels
+/// are rays or, if rays outnumber the window's pixels, window pixels.
 struct WindowPicture
 {
   /// Prepare a frame.
@@ -24,7 +23,7 @@ struct WindowPicture
   /// \throws std::bad_alloc
   void Assign(const Frame& frame, const View& view, const glm::ivec2& window);
 
-  /// The colours of its pixels for other colours of the rays.
+  /// Mean colours of pixels, made of other colours of the rays.
   /// \param colors of the rays of Hits, row by row
   /// \pre it has fewer pixels than rays
   /// \throws std::bad_alloc
@@ -35,7 +34,7 @@ struct WindowPicture
   PixelRect Hits;                 ///< whole tiles of rays with all hits; or empty
   PixelRect Rect;                 ///< the pixels that show them
   std::vector<PixelColor> Colors; ///< premultiplied; all 0 where nothing is hit
-  std::vector<float> Depths; ///< of the depth buffer, for the first visible surfaces (PixelRays)
+  std::vector<float> Depths; ///< in the depth buffer, of the first visible surfaces (PixelRays)
   bool HasOpaque = false;
   bool HasTranslucent = false; ///< some hits are translucent
   bool HasLayers = false;      ///< some pixels have several translucent layers

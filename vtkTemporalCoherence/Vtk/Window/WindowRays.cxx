@@ -20,7 +20,7 @@ glm::ivec2 WindowRays::For(
   double distance = std::max(asked, finest);
   if (asked < 1.0 && PeelingPass::Of(volume))
   {
-    // Layers are merged with those of other volumes, which have no means of rays.
+    // Peeling merges the layers of several volumes, and knows no means of rays.
     distance = 1.0;
   }
   else if (asked < finest * (1.0 - rounding))

@@ -20,7 +20,7 @@ class WindowRays
 {
 public:
   /// \param asked   distance between rays in pixels, as set
-  /// \param warning gets the message that these are too many rays: once, until another distance is
+  /// \param warning receives a message if there are too many rays: once, until another distance is
   ///                set
   glm::ivec2 For(const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning);
 

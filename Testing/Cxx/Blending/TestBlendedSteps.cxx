@@ -27,8 +27,7 @@ std::vector<unsigned char> Colors(Scene& scene)
   vtkNew<vtkImageData> color, depth;
   Expect(scene.Mapper->MakeImage(scene.Renderer, scene.Volume, Size, Size, color, depth),
     "the picture is made");
-  auto* const bytes =
-    vtkUnsignedCharArray::SafeDownCast(color->GetPointData()->GetArray("Color"));
+  auto* const bytes = vtkUnsignedCharArray::SafeDownCast(color->GetPointData()->GetArray("Color"));
   return { bytes->Begin(), bytes->End() };
 }
 

@@ -196,7 +196,7 @@ void MeshTracer::FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int
       {
         return a.Ray != b.Ray ? a.Ray < b.Ray
           : a.From != b.From  ? a.From < b.From
-          : a.Kind != b.Kind ? a.Kind == HitKind::Cap
+          : a.Kind != b.Kind  ? a.Kind == HitKind::Cap
                               : a.Cell < b.Cell;
       });
     double end = 0.0;

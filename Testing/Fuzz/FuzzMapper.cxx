@@ -4,7 +4,6 @@
 // The seeded fuzzer: runs of bytes made from seeds, or kept in files, each step compared with a
 // mapper without a past.
 
-#include "Kinds/FieldKind.h"
 #include "Runs/Report.h"
 #include "Runs/Run.h"
 #include "Runs/Shrink.h"

@@ -7,7 +7,6 @@
 
 #include "Checks/Expect.h"
 #include "CurvedGrids.h"
-#include "Kinds/FieldKind.h"
 #include "LinearCells.h"
 #include "Shapes/BoundaryParts.h"
 #include "Shapes/CurvedCellReader.h"

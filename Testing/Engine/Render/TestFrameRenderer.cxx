@@ -246,9 +246,9 @@ TEST_F(FrameRendererTest, AnswersAreCountedOnEveryRoute)
   }
 }
 
-/// What a view costs to trace is known once it was traced from nothing. Before that no band is
-/// built, as nobody could tell how much a frame may cost.
-TEST_F(FrameRendererTest, BandsAreBuiltOnceTracingHasACost)
+/// Each tile of a drag is looked up, built or traced. The counters count tiles, not groups of
+/// tiles, the last of which has fewer.
+TEST_F(FrameRendererTest, CountersOfADragCountAllTiles)
 {
   FrameRenderer::Options options;
   options.Accuracy = ReuseAccuracy::Paper;
@@ -260,17 +260,17 @@ TEST_F(FrameRendererTest, BandsAreBuiltOnceTracingHasACost)
   renderer.Render(this->Key, options);
   ASSERT_EQ(renderer.Statistics().Made, Route::ImageCache);
   this->Key.Isosurfaces.Isovalues[0] += 1.0;
-  renderer.Render(this->Key, options);
-  EXPECT_EQ(renderer.Statistics().Made, Route::IsomapBuild);
-  EXPECT_EQ(renderer.Statistics().TilesTraced, NumberOfTiles(this->Key.View.Size));
-  // Tiles, not groups of them, the last of which has fewer.
-  options.Map.Tolerance = 0.1;
-  this->Key.Isosurfaces.Isovalues[0] += 1.0;
-  renderer.Render(this->Key, options);
-  const FrameStatistics& counted = renderer.Statistics();
-  EXPECT_GT(counted.TilesBuilt, 0);
-  EXPECT_EQ(counted.TilesLookedUp + counted.TilesBuilt + counted.TilesTraced,
-    NumberOfTiles(this->Key.View.Size));
+  for (const double tolerance : { 0.0, 0.1 })
+  {
+    options.Map.Tolerance = tolerance;
+    this->Key.Isosurfaces.Isovalues[0] += 1.0;
+    renderer.Render(this->Key, options);
+    const FrameStatistics& counted = renderer.Statistics();
+    EXPECT_EQ(counted.Made, Route::IsomapBuild);
+    EXPECT_GT(counted.TilesBuilt, 0);
+    EXPECT_EQ(counted.TilesLookedUp + counted.TilesBuilt + counted.TilesTraced,
+      NumberOfTiles(this->Key.View.Size));
+  }
 }
 
 /// Where no range is built first, a frame's progress is that of its tiles.

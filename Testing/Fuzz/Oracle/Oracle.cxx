@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Oracle/Oracle.h"
-#include "Kinds/FieldKind.h"
 
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>

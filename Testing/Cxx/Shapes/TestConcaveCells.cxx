@@ -48,10 +48,10 @@ MeshPart PartOf(PolyhedronGrid& grid, const std::string& what, std::int64_t over
            0, parts, error, &told) &&
       parts.size() == 1,
     what + ": cells are made " + error);
-  Expect(told.Overlapping == overlapping,
-    what + ": " + std::to_string(told.Overlapping) + " cells overlap others");
-  Expect(told.Overlaps == (overlapping > 0 ? "Cell 0 of the input" : ""),
-    what + ": " + told.Overlaps + " is told");
+  Expect(told.Error.Overlapping == overlapping,
+    what + ": " + std::to_string(told.Error.Overlapping) + " cells overlap others");
+  Expect(told.Error.Overlaps == (overlapping > 0 ? "Cell 0 of the input" : ""),
+    what + ": " + told.Error.Overlaps + " is told");
   return parts.empty() ? MeshPart() : parts.front();
 }
 

@@ -214,11 +214,11 @@ void ExpectError(vtkUnstructuredGrid* grid, const Divided& divided, const std::s
     }
   }
   std::cout << what << ": " << part.NumberOfCells << " cells, " << divided.Told.Parts
-            << " parts; told " << divided.Told.ErrorOfPoints << " and "
-            << divided.Told.ErrorOfValues << ", found " << ofPoints << " and " << ofValues << '\n';
+            << " parts; told " << divided.Told.Error.OfPoints << " and "
+            << divided.Told.Error.OfValues << ", found " << ofPoints << " and " << ofValues << '\n';
   Expect(next == part.NumberOfCells, what + ": number of cells");
-  Expect(ofPoints <= 1.05 * divided.Told.ErrorOfPoints + 1e-12, what + ": error of points");
-  Expect(ofValues <= 1.05 * divided.Told.ErrorOfValues + 1e-12, what + ": error of values");
+  Expect(ofPoints <= 1.05 * divided.Told.Error.OfPoints + 1e-12, what + ": error of points");
+  Expect(ofValues <= 1.05 * divided.Told.Error.OfValues + 1e-12, what + ": error of values");
 }
 
 struct Case
@@ -279,7 +279,7 @@ void TestCurved()
       ExpectConforming(divided, input.Size, what);
       ExpectVolume(divided, std::pow(input.Size, 3), what);
       ExpectError(grid, divided, what);
-      const double error = std::max(divided.Told.ErrorOfPoints, divided.Told.ErrorOfValues);
+      const double error = std::max(divided.Told.Error.OfPoints, divided.Told.Error.OfValues);
       // Parts of pyramids are limited.
       const bool isPyramid =
         divided.Kept.Curved.Kinds.front().Shape == CurvedShape::Pyramid && bend > 0.0;
@@ -349,14 +349,14 @@ void TestBudget()
     const Divided coarse = DividedOf(grid, budget);
     const std::string what = "memory of " + std::to_string(memory);
     const std::int64_t cells = coarse.Parts.front().NumberOfCells;
-    Expect(cells < last && coarse.Told.Limit == DivisionLimit::Memory, what + ": less cells");
-    Expect(std::max(coarse.Told.ErrorOfPoints, coarse.Told.ErrorOfValues) > error,
+    Expect(cells < last && coarse.Told.Error.Limit == DivisionLimit::Memory, what + ": less cells");
+    Expect(std::max(coarse.Told.Error.OfPoints, coarse.Told.Error.OfValues) > error,
       what + ": a larger error");
     Expect(cells * 50 < static_cast<std::int64_t>(memory), what + ": fits");
     ExpectConforming(coarse, 2.0, what);
     ExpectError(grid, coarse, what);
     last = cells;
-    error = std::max(coarse.Told.ErrorOfPoints, coarse.Told.ErrorOfValues);
+    error = std::max(coarse.Told.Error.OfPoints, coarse.Told.Error.OfValues);
   }
 }
 
@@ -390,8 +390,8 @@ void TestMissing()
     spoil();
     const Divided divided = DividedOf(grid);
     const MeshPart& part = divided.Parts.front();
-    Expect(std::isnan(divided.Told.ErrorOfValues), what + ": the error is not known");
-    Expect(divided.Told.ErrorOfPoints < 1e-5 && part.NumberOfCells == grid->GetNumberOfCells(),
+    Expect(std::isnan(divided.Told.Error.OfValues), what + ": the error is not known");
+    Expect(divided.Told.Error.OfPoints < 1e-5 && part.NumberOfCells == grid->GetNumberOfCells(),
       what + ": whole cells");
     Expect(HasValuesOf(
              [&](const glm::dvec3& at) { return (3.0 * at.x - at.y) / input.Size; }, part, 1e-6),

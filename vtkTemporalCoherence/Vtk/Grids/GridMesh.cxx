@@ -23,12 +23,6 @@ namespace TemporalCoherence
 namespace
 {
 
-DivisionError ErrorOf(const Subdivision& division)
-{
-  return { division.ErrorOfPoints, division.ErrorOfValues, division.Limit, division.Overlapping,
-    division.Overlaps };
-}
-
 /// Divides the memory for divided cells among the leaves.
 class DivisionShares
 {
@@ -179,7 +173,7 @@ bool GridMesh::SeeOthers(
     SetSubdividedValues(grid, made.Made.Values.Array, made.Made.Values.Component, budget, made.Kept,
       made.Others.front(), isStopped))
   {
-    made.Error = ErrorOf(made.Kept.Told);
+    made.Error = made.Kept.Told.Error;
     return true;
   }
   if (isStopped)
@@ -197,7 +191,7 @@ bool GridMesh::SeeOthers(
   {
     return false;
   }
-  made.Error = ErrorOf(division);
+  made.Error = division.Error;
   // The division of each cell depends on points and values. Weights and faces may have changed,
   // too: Modified() of the grid does not say.
   const bool areSame = !this->ArePointsNew &&

@@ -100,10 +100,10 @@ public:
   {
     const CurvedError error = this->Of.Error();
     told.Parts = this->Of.LargestParts();
-    told.ErrorOfPoints = error.OfPoints;
-    told.ErrorOfValues = error.OfValues;
+    told.Error.OfPoints = error.OfPoints;
+    told.Error.OfValues = error.OfValues;
     const double largest = std::max(error.OfPoints, error.OfValues);
-    told.Limit = this->Limit == DivisionLimit::Goal && largest > SubdivisionGoal
+    told.Error.Limit = this->Limit == DivisionLimit::Goal && largest > SubdivisionGoal
       ? DivisionLimit::Parts
       : this->Limit;
   }
@@ -240,8 +240,8 @@ bool MakePolyhedra(const GivenCells& given, const CellsToReplace& cells, const P
       return false;
     }
   }
-  told.Overlapping = static_cast<std::int64_t>(others.Overlapping.size());
-  told.Overlaps = others.Overlapping.empty() ? "" : given.NameOf(others.Overlapping.front());
+  told.Error.Overlapping = static_cast<std::int64_t>(others.Overlapping.size());
+  told.Error.Overlaps = others.Overlapping.empty() ? "" : given.NameOf(others.Overlapping.front());
   return budget.Allows(made.MemoryInBytes(), made.NumberOfCells());
 }
 

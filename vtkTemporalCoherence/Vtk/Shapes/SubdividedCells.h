@@ -25,14 +25,10 @@ namespace TemporalCoherence
 /// Counts and errors of linear cells that replace other cells.
 struct Subdivision
 {
-  int Parts = 1;            ///< largest number of parts of an edge of a curved cell
-  std::int64_t Curved = 0;  ///< cells with an order of 2 or more
-  std::int64_t Others = 0;  ///< polyhedra, prisms and convex sets of points
-  double ErrorOfPoints = 0; ///< share of the size of a curved cell
-  double ErrorOfValues = 0; ///< share of the range of values in it; NaN: unknown
-  DivisionLimit Limit = DivisionLimit::Goal;
-  std::int64_t Overlapping = 0; ///< Others that are drawn beyond their faces
-  std::string Overlaps;         ///< names the first of these
+  int Parts = 1;           ///< largest number of parts of an edge of a curved cell
+  std::int64_t Curved = 0; ///< cells with an order of 2 or more
+  std::int64_t Others = 0; ///< polyhedra, prisms and convex sets of points
+  DivisionError Error;
 };
 
 /// The division of a grid in which only curved cells are replaced. New values keep its linear

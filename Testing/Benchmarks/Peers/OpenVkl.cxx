@@ -242,7 +242,8 @@ private:
     return isAny;
   }
 
-  /// Hit after hit, until no light passes. \return the number of hits
+  /// Hit after hit, until no light passes.
+  /// \return the number of hits
   std::int64_t Trace(Packet& packet, std::vector<char>& room) const
   {
     void* buffer = room.data();
@@ -267,7 +268,8 @@ private:
     return layers;
   }
 
-  /// Composite hits. \return true if rays go on
+  /// Composite hits.
+  /// \return true if rays go on
   bool Shade(Packet& packet, const VKLHit16& hit) const
   {
     vkl_vvec3f16 point{}, gradient{};

@@ -15,7 +15,8 @@
 namespace VtkMeshes
 {
 
-/// The points of an image. \param type VTK_FLOAT or VTK_DOUBLE
+/// The points of an image.
+/// \param type VTK_FLOAT or VTK_DOUBLE
 vtkSmartPointer<vtkPoints> PointsOf(vtkImageData* image, int type = VTK_DOUBLE);
 
 /// Each cell of an image as VTK_VOXEL or VTK_HEXAHEDRON, or as 6 tetrahedra, 2 wedges, or 6

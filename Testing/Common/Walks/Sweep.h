@@ -15,7 +15,8 @@
 namespace Sweep
 {
 
-/// A way to look at a volume. \pre the scene has one
+/// A way to look at a volume.
+/// \pre the scene has one
 struct Placing
 {
   std::string Name;

@@ -32,7 +32,8 @@ class LayersBothWays : public BothWays<T>
 public:
   using BothWays<T>::BothWays;
 
-  /// All tiles of a view. \param alphas of the isovalues; empty if only shading tells them
+  /// All tiles of a view.
+  /// \param alphas of the isovalues; empty if only shading tells them
   void CompareLayers(
     const View& view, const std::vector<float>& alphas, const Region& region = Region())
   {

@@ -39,7 +39,8 @@ protected:
     this->Structures.PrepareActiveCells(this->Key);
   }
 
-  /// Trace all tiles of a picture. \param hint or null
+  /// Trace all tiles of a picture.
+  /// \param hint or null
   TraceCounts Trace(const RayHint* hint, bool leaps, Frame& frame) const
   {
     const LeapedSpace space = this->Structures.SpaceToLeap(leaps);

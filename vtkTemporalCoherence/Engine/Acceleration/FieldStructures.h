@@ -56,7 +56,9 @@ class FieldStructures
 {
 public:
   /// Set `held` to the ranges and hidden cells of `field`, releasing what it held before. After an
-  /// exception it is empty, never null. \pre field.HasCells() \throws std::bad_alloc
+  /// exception it is empty, never null.
+  /// \pre field.HasCells()
+  /// \throws std::bad_alloc
   void Provide(const Field& field, std::shared_ptr<const FieldRanges>& held);
 
   /// Provide the active cells of `surfaces`, built from the ranges of their field.

@@ -145,7 +145,8 @@ public:
   }
 
   /// Find the tiles that a box can touch: all tiles if it reaches behind the eye or if numbers
-  /// overflow. \return false if there are none
+  /// overflow.
+  /// \return false if there are none
   bool FindTiles(const Box& box, glm::ivec2& first, glm::ivec2& last) const
   {
     first = glm::ivec2(0);

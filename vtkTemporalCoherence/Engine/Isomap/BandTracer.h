@@ -60,7 +60,8 @@ protected:
 };
 
 /// Makes the tracer for the kind of the scene's field; null if there is none. The scene's
-/// structures must outlive it. \throws std::bad_alloc
+/// structures must outlive it.
+/// \throws std::bad_alloc
 using BandTracerMaker = std::shared_ptr<const BandTracer> (*)(const BandScene& scene);
 
 }

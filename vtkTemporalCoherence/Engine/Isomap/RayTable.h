@@ -88,7 +88,8 @@ public:
     }
   }
 
-  /// Rows Begin(ray) .. Begin(ray + 1) - 1 belong to a ray. \pre the table is not empty
+  /// Rows Begin(ray) .. Begin(ray + 1) - 1 belong to a ray.
+  /// \pre the table is not empty
   std::size_t Begin(std::size_t ray) const
   {
     return IsWide(this->Head().Rows) ? this->template Begins<std::uint32_t>()[ray]

@@ -115,7 +115,8 @@ struct RectilinearSegment
                              : std::numeric_limits<double>::infinity();
   }
 
-  /// The nearest samples along the path. \pre it has length
+  /// The nearest samples along the path.
+  /// \pre it has length
   NearestPath Nearest() const
   {
     std::array<double, 3> midway;

@@ -68,7 +68,8 @@ private:
 void StoreClearTile(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame);
 
 /// Make the first layers of a tile the hits of a picture with opaque surfaces. The others are
-/// behind them. \throws std::bad_alloc
+/// behind them.
+/// \throws std::bad_alloc
 void StoreFirstLayers(
   const KnownLayers& known, std::int64_t tile, const PixelRect& part, Frame& frame);
 

@@ -34,7 +34,8 @@ struct PixelCentres
     }
   }
 
-  /// Append a surface to the next batch. \param place of its pixel
+  /// Append a surface to the next batch.
+  /// \param place of its pixel
   void Append(const LayerHit& hit, std::size_t place, HitList& hits) const
   {
     const std::size_t at = hits.Rays.Count++;

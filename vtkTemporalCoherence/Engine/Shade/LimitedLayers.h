@@ -34,7 +34,8 @@ public:
     layers.clear();
   }
 
-  /// Take the next layer of a pixel. \param place of the pixel in the tile
+  /// Take the next layer of a pixel.
+  /// \param place of the pixel in the tile
   /// \throws std::bad_alloc
   void Keep(std::size_t place, const LayerHit& hit)
   {
@@ -67,13 +68,16 @@ public:
   /// Remove surplus layers of merged pixels. Call this once, after the last layer.
   void Finish();
 
-  /// One bit for each pixel with merged layers, by its place. \pre Finish
+  /// One bit for each pixel with merged layers, by its place.
+  /// \pre Finish
   std::uint64_t Merged() const { return this->HasMerged; }
 
-  /// One bit for each pixel with merged or dropped layers, by its place. \pre Finish
+  /// One bit for each pixel with merged or dropped layers, by its place.
+  /// \pre Finish
   std::uint64_t Incomplete() const { return this->HasMerged | this->HasDropped; }
 
-  /// The number of layers that were taken. \pre Finish
+  /// The number of layers that were taken.
+  /// \pre Finish
   std::int64_t Total() const { return this->Taken; }
 
 private:

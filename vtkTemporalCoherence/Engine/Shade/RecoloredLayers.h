@@ -23,7 +23,8 @@ public:
   RecoloredLayers(
     const PixelRect& part, int width, std::uint64_t merged, std::vector<LayerHit>& layers);
 
-  /// The first kept layer of a pixel. \pre it has merged layers
+  /// The first kept layer of a pixel.
+  /// \pre it has merged layers
   const LayerHit& FirstOf(std::size_t place) const
   {
     return this->Layers[this->Positions[0][place]];

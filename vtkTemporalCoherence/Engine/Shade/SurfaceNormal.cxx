@@ -149,8 +149,8 @@ private:
 };
 
 /// Replace an outer NaN sample so that the difference over two steps is twice the inner step's
-/// difference, and so one-sided. \param limit of differences; is widened, as the new sample may
-/// exceed all others
+/// difference, and so one-sided.
+/// \param limit of differences; is widened, as the new sample may exceed all others
 template <typename Stored>
 void Mirror(Stored inner, Stored next, Stored& outer, double& limit)
 {

@@ -48,7 +48,8 @@ public:
     TraceCounts& counts) const;
 
   /// Make and shade a tile from the last frame, which differs only in opacities and the appearance.
-  /// Thread-safe. \throws std::bad_alloc
+  /// Thread-safe.
+  /// \throws std::bad_alloc
   void ShadeKnown(std::int64_t tile, const PixelRect& part, const Frame& last, Frame& frame,
     TraceCounts& counts) const;
 

@@ -26,7 +26,8 @@ struct DistinctCells
 void FindDistinct(
   const RayBatch::Array<std::uint32_t>& numbers, std::uint64_t which, DistinctCells& distinct);
 
-/// Find the ranks of the cells of rays. \pre they are below 2^32
+/// Find the ranks of the cells of rays.
+/// \pre they are below 2^32
 void FindRanks(const RayCells& cells, RayBatch::Array<std::uint32_t>& ranks);
 
 }

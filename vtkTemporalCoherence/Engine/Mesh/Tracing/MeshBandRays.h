@@ -60,7 +60,8 @@ public:
   /// \return false if the knots take too much memory
   bool GoOnTo(const RayBatch::Array<double>& distances);
 
-  /// Hand the knots over. \throws std::bad_alloc
+  /// Hand the knots over.
+  /// \throws std::bad_alloc
   void HandOver(TileKnots& knots);
 
 private:

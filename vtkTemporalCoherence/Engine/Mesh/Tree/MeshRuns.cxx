@@ -90,7 +90,8 @@ void RunSorter::SortRuns(
     });
 }
 
-/// Give keys the places on a curve through their own box. \return false if it has no size
+/// Give keys the places on a curve through their own box.
+/// \return false if it has no size
 bool RunSorter::Renew(std::uint64_t* keys, std::int64_t begin, std::int64_t end) const
 {
   PointBox box;

@@ -109,7 +109,8 @@ public:
   {
     return this->Boxes->Levels[level][static_cast<std::size_t>(block)];
   }
-  /// The box of a block, by its place among the blocks of its level. \pre it holds cells
+  /// The box of a block, by its place among the blocks of its level.
+  /// \pre it holds cells
   const FloatBox& BlockBox(std::size_t level, const glm::ivec3& block) const
   {
     return this->BlockBox(level, MeshLattice::NumberOf(block));

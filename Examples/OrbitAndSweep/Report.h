@@ -6,7 +6,6 @@
 #include "Extraction.h"
 #include "Tour.h"
 
-#include <string>
 #include <vector>
 
 // A table on standard output: a row for each change and route.

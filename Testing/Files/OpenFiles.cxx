@@ -16,7 +16,6 @@
 #include <vtkSMPTools.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <sstream>

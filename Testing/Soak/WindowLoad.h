@@ -4,7 +4,6 @@
 #define Soak_WindowLoad_h
 
 #include "Load.h"
-#include "Scenes/Scene.h"
 
 #include <vtkSmartPointer.h>
 

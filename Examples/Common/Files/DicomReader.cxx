@@ -16,12 +16,9 @@
 #include <vtkVector.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <map>
-#include <sstream>
 #include <vector>
 
 namespace

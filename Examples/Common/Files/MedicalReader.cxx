@@ -16,7 +16,6 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>

@@ -28,7 +28,6 @@
 #include <vtkMultiBlockPLOT3DReader.h>
 #endif
 
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <vector>

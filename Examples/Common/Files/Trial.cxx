@@ -5,7 +5,6 @@
 #include "Files/FileCheck.h"
 #include "Files/HandOver.h"
 #include "Files/VolumeReader.h"
-#include "Program/Quoted.h"
 
 #ifdef _WIN32
 
@@ -23,7 +22,6 @@ std::optional<Volume> TryReading(const VolumeSource&, const ReadingProgress&)
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <mutex>

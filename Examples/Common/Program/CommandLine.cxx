@@ -7,7 +7,6 @@
 
 #include <vtkType.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <cmath>

@@ -3,7 +3,6 @@
 #ifndef Quoted_h
 #define Quoted_h
 
-#include <cstddef>
 #include <string>
 
 // A text for one line of a terminal: UTF-8, in which whatever could steer the terminal or hide a

@@ -4,7 +4,6 @@
 #define Histogram_h
 
 #include <array>
-#include <string>
 #include <vector>
 
 struct Volume;

@@ -12,8 +12,6 @@
 #include <vtkMath.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace
 {

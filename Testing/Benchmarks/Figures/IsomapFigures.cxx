@@ -10,9 +10,7 @@
 #include "PngFile.h"
 #include "Stage.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <numeric>

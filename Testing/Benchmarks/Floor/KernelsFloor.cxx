@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "KernelsFloor.h"
 
-#include <algorithm>
 #include <cstring>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.

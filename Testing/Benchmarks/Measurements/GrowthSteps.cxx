@@ -6,7 +6,6 @@
 #include "Measuring.h"
 #include "Volumes/Volumes.h"
 
-#include <cstddef>
 #include <iostream>
 
 namespace GrowthSteps

@@ -5,7 +5,6 @@
 
 #include "Stage.h"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>

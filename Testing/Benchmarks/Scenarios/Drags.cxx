@@ -7,7 +7,6 @@
 #include "Scenario.h"
 
 #include <iostream>
-#include <vector>
 
 namespace
 {

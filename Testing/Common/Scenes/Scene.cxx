@@ -5,10 +5,7 @@
 #include <vtkContourValues.h>
 #include <vtkMath.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <iostream>
 
 Scene::Scene(vtkDataSet* data, const std::vector<double>& isovalues)
 {

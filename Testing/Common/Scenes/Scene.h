@@ -14,7 +14,6 @@
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
-#include <string>
 #include <vector>
 
 /// A volume, a camera and a renderer without a window: what most tests render.

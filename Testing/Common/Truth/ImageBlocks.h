@@ -3,7 +3,6 @@
 #ifndef Testing_ImageBlocks_h
 #define Testing_ImageBlocks_h
 
-#include "Truth/ColdWitness.h"
 #include "Truth/ExpectSame.h"
 #include "Volumes/Volumes.h"
 

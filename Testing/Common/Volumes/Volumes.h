@@ -6,10 +6,8 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
-#include <array>
 #include <functional>
 #include <string>
-#include <vector>
 
 /// Volumes for tests and benchmarks: some by formula, and real ones if present.
 namespace Volumes

@@ -9,7 +9,6 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkSmartPointer.h>
 
-#include <string>
 #include <vector>
 
 /// The same waves as every kind of input of a mapper: in an image, a grid or blocks; as scalars of

@@ -3,6 +3,7 @@
 #include "Walks/Sweep.h"
 
 #include "Checks/Expect.h"
+#include "Truth/ColdWitness.h"
 #include "Volumes/Volumes.h"
 
 #include <vtkDataArray.h>

@@ -4,7 +4,6 @@
 #define Testing_Sweep_h
 
 #include "Scenes/Subject.h"
-#include "Truth/ColdWitness.h"
 
 #include <functional>
 #include <map>

@@ -12,8 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
-#include <iostream>
 #include <string>
 #include <vector>
 

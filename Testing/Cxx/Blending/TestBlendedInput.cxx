@@ -15,6 +15,7 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkSOADataArrayTemplate.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>

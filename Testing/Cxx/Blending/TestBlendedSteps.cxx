@@ -12,7 +12,6 @@
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>

@@ -6,6 +6,7 @@
 // field.
 
 #include "Checks/Expect.h"
+#include "Truth/ColdWitness.h"
 #include "Volumes/Volumes.h"
 #include "Walks/Sweep.h"
 

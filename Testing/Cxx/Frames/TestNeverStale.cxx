@@ -10,7 +10,6 @@
 #include "Walks/Sweep.h"
 
 #include <cstdlib>
-#include <utility>
 
 namespace
 {

@@ -14,10 +14,8 @@
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <iostream>
 #include <random>
 
 namespace

@@ -32,7 +32,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <iostream>
 #include <limits>
 
 namespace

@@ -19,10 +19,8 @@
 #include <vtkStringArray.h>
 #include <vtkTestErrorObserver.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <iostream>
 #include <limits>
 
 namespace

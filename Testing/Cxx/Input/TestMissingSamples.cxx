@@ -10,7 +10,6 @@
 #include "Truth/ExpectSame.h"
 #include "Volumes/Ghosts.h"
 #include "Volumes/Volumes.h"
-#include "Volumes/VtkMeshes.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
@@ -26,10 +25,7 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <functional>
-#include <limits>
 #include <string>
-#include <vector>
 
 namespace
 {

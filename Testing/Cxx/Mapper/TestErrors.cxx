@@ -28,7 +28,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <iostream>
 #include <limits>
 #include <numeric>
 

@@ -17,7 +17,6 @@
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

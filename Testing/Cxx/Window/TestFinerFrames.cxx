@@ -4,8 +4,8 @@
 // More rays than pixels (ImageSampleDistance below 1): a window shows the means of the rays of the
 // cold picture that has as many pixels, and depths, picks and selections of the ray in the middle.
 
-#include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
+#include "Render/SampleDistance.h"
 #include "Scenes/OffScreen.h"
 #include "Scenes/Scene.h"
 #include "Truth/ColdWitness.h"

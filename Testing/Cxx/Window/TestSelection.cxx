@@ -30,7 +30,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
-#include <vector>
 
 namespace
 {

@@ -6,7 +6,6 @@
 
 #include "Grid.h"
 #include "ImageCache/ImageQuery.h"
-#include "Kinds/UniformKind.h"
 #include "Lattice/RaySource.h"
 #include "Render/FrameRenderer.h"
 

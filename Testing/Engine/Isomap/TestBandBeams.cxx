@@ -23,7 +23,6 @@
 #include <limits>
 #include <memory>
 #include <random>
-#include <tuple>
 #include <vector>
 
 namespace

@@ -13,10 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace

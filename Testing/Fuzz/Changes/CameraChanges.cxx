@@ -8,7 +8,6 @@
 #include <vtkTransform.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Fuzz
 {

@@ -7,7 +7,6 @@
 
 #include <vtkPolyData.h>
 
-#include <cmath>
 #include <limits>
 
 namespace Fuzz

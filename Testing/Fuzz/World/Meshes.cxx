@@ -13,7 +13,6 @@
 #include <vtkPointSet.h>
 
 #include <cmath>
-#include <functional>
 #include <random>
 
 namespace Fuzz

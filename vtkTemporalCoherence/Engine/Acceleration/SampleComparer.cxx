@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceleration/SampleComparer.h"
 
+#include "Acceleration/TileBounds.h"
 #include "Scene/FrameKey.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include "Acceleration/FieldFingerprint.h"
 #include "Acceleration/FieldStructures.h"
-#include "Acceleration/TileBounds.h"
+#include "Scene/View.h"
 
 #include <cstdint>
 #include <memory>

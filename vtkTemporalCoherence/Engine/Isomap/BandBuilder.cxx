@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/BandBuilder.h"
 
+#include "Isomap/TileGroups.h"
 #include "Lattice/RayPieces.h"
 
 #include <algorithm>

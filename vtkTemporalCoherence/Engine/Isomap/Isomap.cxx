@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/Isomap.h"
 
+#include "Isomap/TileGroups.h"
 #include "Lattice/RegionClipper.h"
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include "Acceleration/TileBounds.h"
 #include "Isomap/KnotCollector.h"
 #include "Isomap/Knots.h"
-#include "Isomap/TileGroups.h"
 #include "Scene/FrameKey.h"
 
 #include <cstddef>

@@ -5,7 +5,6 @@
 #include "Isomap/RangeBuild.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace TemporalCoherence
 {

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/BandBeam.h"
 
-#include <algorithm>
-#include <array>
-
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Isomap/KernelsBandBeam.cxx"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/RangeBuild.h"
 
+#include "Isomap/TileGroups.h"
 #include "Scene/Parallel.h"
 
 #include <algorithm>

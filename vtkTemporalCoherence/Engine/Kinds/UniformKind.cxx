@@ -3,7 +3,6 @@
 #include "Kinds/UniformKind.h"
 
 #include "Isomap/UniformBandTracer.h"
-#include "Lattice/BeamChoice.h"
 #include "Lattice/UniformCells.h"
 #include "Lattice/UniformTracer.h"
 #include "Shade/LatticeFaces.h"

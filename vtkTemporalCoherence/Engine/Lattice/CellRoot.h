@@ -5,8 +5,6 @@
 
 #include "Scene/Surfaces.h"
 
-#include <glm/glm.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -16,10 +16,7 @@
 #include "Lattice/KernelsHull-inl.h"
 #include "Lattice/KernelsLattice-inl.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include <hwy/highway.h>
 

@@ -3,7 +3,6 @@
 #include "Isomap/IsomapLookup.h"
 #include "Render/RouteSteps.h"
 
-#include <algorithm>
 #include <bitset>
 #include <numeric>
 #include <vector>

@@ -10,7 +10,6 @@
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/TileHits.h"
-#include "Shade/Shader.h"
 
 #include <cstdint>
 #include <memory>

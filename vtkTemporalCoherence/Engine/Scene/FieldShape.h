@@ -6,7 +6,6 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 

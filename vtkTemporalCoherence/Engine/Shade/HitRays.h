@@ -5,7 +5,6 @@
 
 #include "Scene/TileHits.h"
 
-#include <array>
 #include <cstddef>
 
 namespace TemporalCoherence

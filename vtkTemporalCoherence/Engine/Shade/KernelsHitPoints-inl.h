@@ -14,7 +14,6 @@
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <cstddef>
 
 #include <hwy/highway.h>

@@ -7,7 +7,6 @@
 #include "Scene/Tiles.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

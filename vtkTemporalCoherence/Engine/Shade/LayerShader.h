@@ -4,7 +4,6 @@
 #define TemporalCoherence_LayerShader_h
 
 #include "Scene/FrameKey.h"
-#include "Scene/FramePlanes.h"
 #include "Scene/LayerBatch.h"
 #include "Scene/TileHits.h"
 #include "Shade/LayerCanvas.h"

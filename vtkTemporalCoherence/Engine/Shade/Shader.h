@@ -7,7 +7,6 @@
 #include "Scene/Field.h"
 #include "Scene/Frame.h"
 #include "Scene/RayBatch.h"
-#include "Scene/Region.h"
 #include "Scene/TileHits.h"
 #include "Scene/Tiles.h"
 #include "Scene/View.h"

@@ -8,7 +8,6 @@
 #include "Shade/HitRays.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include "Shade/TileShader.h"
 
 #include "Scene/Timers.h"
-#include "Shade/LimitedLayers.h"
 
 namespace TemporalCoherence
 {

@@ -7,7 +7,6 @@
 #include "Input/ScalarChoice.h"
 #include "Mesh/Cells/Mesh.h"
 #include "Shapes/MadeCells.h"
-#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkSmartPointer.h>

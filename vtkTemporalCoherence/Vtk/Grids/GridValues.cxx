@@ -6,6 +6,7 @@
 #include "Grids/PartPoints.h"
 #include "Input/GhostArray.h"
 #include "Input/SamplesOfArray.h"
+#include "Input/VectorMagnitude.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSet.h>

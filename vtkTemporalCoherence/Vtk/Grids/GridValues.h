@@ -5,7 +5,6 @@
 
 #include "Grids/GridLeaves.h"
 #include "Grids/MadeFrom.h"
-#include "Input/VectorMagnitude.h"
 #include "Mesh/Cells/Mesh.h"
 
 #include <vtkDataArray.h>

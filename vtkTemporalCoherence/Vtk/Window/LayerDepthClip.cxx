@@ -3,6 +3,7 @@
 #include "Window/LayerDepthClip.h"
 
 #include "Scene/Parallel.h"
+#include "Window/WindowPicture.h"
 
 #include <atomic>
 

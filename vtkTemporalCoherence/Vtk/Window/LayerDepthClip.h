@@ -3,7 +3,8 @@
 #ifndef TemporalCoherence_LayerDepthClip_h
 #define TemporalCoherence_LayerDepthClip_h
 
-#include "Window/WindowPicture.h"
+#include "Scene/View.h"
+#include "Window/PixelRays.h"
 
 #include <vector>
 

@@ -3,6 +3,8 @@
 #include "Window/PeeledLayers.h"
 
 #include "Scene/Parallel.h"
+#include "Window/PixelRays.h"
+#include "Window/WindowPicture.h"
 
 #include <algorithm>
 #include <array>

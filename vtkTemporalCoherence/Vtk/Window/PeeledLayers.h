@@ -3,7 +3,8 @@
 #ifndef TemporalCoherence_PeeledLayers_h
 #define TemporalCoherence_PeeledLayers_h
 
-#include "Window/WindowPicture.h"
+#include "Scene/Frame.h"
+#include "Scene/View.h"
 
 #include <array>
 #include <cstddef>

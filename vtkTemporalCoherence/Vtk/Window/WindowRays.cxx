@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/WindowRays.h"
 
+#include "Render/SampleDistance.h"
 #include "Window/PeelingPass.h"
 
 #include <algorithm>

@@ -3,8 +3,9 @@
 #ifndef TemporalCoherence_WindowRays_h
 #define TemporalCoherence_WindowRays_h
 
-#include "Render/SampleDistance.h"
 #include "vtkTemporalCoherenceCompatibility.h"
+
+#include <glm/glm.hpp>
 
 #include <string>
 

@@ -9,7 +9,6 @@
 #include "Mesh/Cells/CellPoints.h"
 #include "Mesh/Tree/MeshTree.h"
 #include "Render/FrameRenderer.h"
-#include "Scene/CapPoint.h"
 #include "Scene/Field.h"
 #include "Shade/CapNormal.h"
 #include "Volumes/Meshes.h"

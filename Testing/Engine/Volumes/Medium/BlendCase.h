@@ -6,7 +6,6 @@
 #include "Grid.h"
 #include "Scene/FrameKey.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

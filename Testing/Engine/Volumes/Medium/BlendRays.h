@@ -4,13 +4,11 @@
 #define Testing_BlendRays_h
 
 #include "Kinds/RectilinearKind.h"
-#include "Scene/FrameKey.h"
 #include "Scene/GridCoordinates.h"
 #include "Scene/HiddenCells.h"
 #include "Scene/RayBatch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 

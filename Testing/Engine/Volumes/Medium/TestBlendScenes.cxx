@@ -14,7 +14,6 @@
 
 #include <limits>
 #include <memory>
-#include <string>
 
 namespace
 {

@@ -10,10 +10,8 @@
 #include "Volumes/Medium/BlendComponents.h"
 #include "Volumes/Medium/BlendFrames.h"
 
-#include <algorithm>
 #include <cmath>
 #include <random>
-#include <vector>
 
 namespace
 {

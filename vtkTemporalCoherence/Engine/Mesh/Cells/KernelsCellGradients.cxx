@@ -5,7 +5,6 @@
 #include "Mesh/Cells/CellPoints.h"
 #include "Mesh/Cells/PlacedCell.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

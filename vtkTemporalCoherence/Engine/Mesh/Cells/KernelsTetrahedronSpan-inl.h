@@ -11,7 +11,6 @@
 #endif
 
 #include "Mesh/Cells/KernelsSheared-inl.h"
-#include "Scene/Surfaces.h"
 
 #include <cmath>
 #include <limits>

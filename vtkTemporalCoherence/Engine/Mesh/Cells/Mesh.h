@@ -8,7 +8,6 @@
 #include <glm/glm.hpp>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>

@@ -9,9 +9,6 @@
 #define HWY_TARGET_INCLUDE "Mesh/Tiles/KernelsTileGrid.cxx"
 #include <hwy/foreach_target.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();

@@ -5,8 +5,6 @@
 
 #include "Mesh/Tracing/KernelsSortedTetrahedra.h"
 
-#include <algorithm>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Mesh/Tracing/KernelsSortedTetrahedra.cxx"
 #include <hwy/foreach_target.h>

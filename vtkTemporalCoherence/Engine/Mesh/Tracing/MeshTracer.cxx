@@ -5,6 +5,7 @@
 #include "Lattice/HitRules.h"
 #include "Mesh/Cells/KernelsCells.h"
 #include "Mesh/Tiles/CellVisits.h"
+#include "Mesh/Tracing/MeshSolids.h"
 
 #include <algorithm>
 #include <cmath>

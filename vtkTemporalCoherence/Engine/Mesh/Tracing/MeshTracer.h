@@ -8,7 +8,6 @@
 #include "Mesh/Tiles/MeshTile.h"
 #include "Mesh/Tiles/PreparedLeaves.h"
 #include "Mesh/Tracing/MeshCellSearch.h"
-#include "Mesh/Tracing/MeshSolids.h"
 #include "Mesh/Tracing/RecentHexahedra.h"
 
 #include <vtkSMPThreadLocal.h>

@@ -9,12 +9,10 @@
 #include "Scene/RayBatch.h"
 #include "Scene/TileHits.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 
 namespace TemporalCoherence
 {

@@ -4,7 +4,6 @@
 #define TemporalCoherence_KernelsEmission_h
 
 #include "Volumes/Medium/BlendTracer.h"
-#include "Volumes/Medium/KernelsVolumeSegments.h"
 #include "Volumes/Medium/TransferTables.h"
 #include "Volumes/Medium/VolumeCell.h"
 #include "Volumes/Medium/VolumeLights.h"
@@ -15,8 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace TemporalCoherence
 {

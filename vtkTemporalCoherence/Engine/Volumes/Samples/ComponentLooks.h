@@ -8,7 +8,6 @@
 #include "Volumes/Samples/TransferLookup.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 

@@ -81,5 +81,5 @@ std::vector<Scenario> Scenarios::All()
 {
   return { Routes(), Peers(), LayerPeers(), Meshes(), ImageCache(), Drift(), Isomap(), Drags(),
     Growth(), Threads(), Vectors(), Structures(), Window(), Features(), Opacities(), Floor(),
-    BlendedVolumes() };
+    BlendedVolumes(), ColorJumps() };
 }

@@ -78,6 +78,7 @@ Scenario Features();
 Scenario Opacities();
 Scenario Floor();
 Scenario BlendedVolumes();
+Scenario ColorJumps();
 
 /// All of these, in the order in which they are run.
 std::vector<Scenario> All();

@@ -7,6 +7,7 @@
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkRenderer.h>
 
 namespace
 {

@@ -5,7 +5,11 @@
 
 #include "Load.h"
 
+#include <vtkImageData.h>
+#include <vtkProp.h>
 #include <vtkSmartPointer.h>
+
+class vtkRenderer;
 
 /// Windows that are opened, drawn in and closed. Each shows a volume of its own and one that was in
 /// all the windows before.

@@ -78,7 +78,9 @@ void RegisterFor(const std::string& type)
         state.SkipWithError("There is no band for the isovalue: mend the benchmark.");
         return;
       }
-      const IsomapLookup lookup(scene.Key, map, scene.Scene.FiniteRange);
+      TraceScene cells = scene.Scene;
+      cells.Active = nullptr;
+      const IsomapLookup lookup(scene.Key, map, cells.FiniteRange, MakeSurfaceTracer(cells));
       std::vector<IsomapLookup::IsovalueKeys> keys;
       Frame frame;
       frame.Resize(scene.Key.View.Size);

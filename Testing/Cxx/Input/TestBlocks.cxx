@@ -5,6 +5,7 @@
 // one of them changes, mistakes named by the block.
 
 #include "Truth/Agreement.h"
+#include "Truth/ColdWitness.h"
 #include "Truth/ImageBlocks.h"
 #include "Volumes/Ghosts.h"
 

@@ -8,6 +8,7 @@
 #include "Checks/Expect.h"
 #include "Scenes/Subject.h"
 #include "Truth/Agreement.h"
+#include "Truth/ColdWitness.h"
 #include "Truth/ExpectSame.h"
 #include "Truth/MaskedTruth.h"
 #include "Volumes/Ghosts.h"

@@ -278,7 +278,7 @@ TEST_F(FunctionFrames, MovingCameraUsesTheLastPicture)
     {
       wrong += renderer.LastFrame().Isovalues[pixel] != cold.Isovalues[pixel];
     }
-    EXPECT_LE(wrong, 20 * step) << "silhouettes erode by 0.1 % of the pixels a frame at most";
+    EXPECT_LE(wrong, 30 * step) << "silhouettes erode by 0.15 % of the pixels a frame at most";
   }
   EXPECT_GT(renderer.Statistics().DefiniteMisses, 500);
 }

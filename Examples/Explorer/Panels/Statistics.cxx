@@ -73,9 +73,9 @@ protected:
 private:
   void Take(vtkTemporalCoherenceVolumeMapper& mapper, double windowMs)
   {
-    const double ms = 1000.0 * mapper.GetStatistics().GetFrameTime();
+    const double ms = 1000.0 * mapper.GetStatistics()->GetFrameTime();
     const double rays =
-      std::max(1.0, static_cast<double>(mapper.GetStatistics().GetNumberOfRays()));
+      std::max(1.0, static_cast<double>(mapper.GetStatistics()->GetNumberOfRays()));
     const auto each = [](double number, const char* unit)
     { return tr("%1 %2").arg(number, 0, 'f', 1).arg(tr(unit)); };
     const auto share = [&](vtkIdType count)
@@ -83,16 +83,16 @@ private:
     this->Facts = {
       { tr("Mapper"), each(ms, "ms") },
       { tr("Window"), each(windowMs, "ms") },
-      { tr("Hits"), share(mapper.GetStatistics().GetNumberOfDefiniteHits()), Hit },
-      { tr("Traced"), share(mapper.GetStatistics().GetNumberOfTracedRays()) },
-      { tr("Possible"), share(mapper.GetStatistics().GetNumberOfPossibleHits()), Possible },
+      { tr("Hits"), share(mapper.GetStatistics()->GetNumberOfDefiniteHits()), Hit },
+      { tr("Traced"), share(mapper.GetStatistics()->GetNumberOfTracedRays()) },
+      { tr("Possible"), share(mapper.GetStatistics()->GetNumberOfPossibleHits()), Possible },
       { tr("Samples"),
         each(
-          static_cast<double>(mapper.GetStatistics().GetNumberOfFieldSamples()) / rays, "a ray") },
-      { tr("Misses"), share(mapper.GetStatistics().GetNumberOfDefiniteMisses()), Miss },
+          static_cast<double>(mapper.GetStatistics()->GetNumberOfFieldSamples()) / rays, "a ray") },
+      { tr("Misses"), share(mapper.GetStatistics()->GetNumberOfDefiniteMisses()), Miss },
       { tr("Isomap"),
-        each(static_cast<double>(mapper.GetStatistics().GetIsomapMemory()) / BytesPerMiB, "MiB") },
-      { tr("Route"), mapper.GetStatistics().GetRouteAsString() },
+        each(static_cast<double>(mapper.GetStatistics()->GetIsomapMemory()) / BytesPerMiB, "MiB") },
+      { tr("Route"), mapper.GetStatistics()->GetRouteAsString() },
     };
     this->Frames.push_back({ windowMs, ms });
     if (this->Frames.size() > MostFrames)

@@ -206,6 +206,28 @@ class ThresholdSweep(Example):
         self.assertEqual((done.returncode, done.stderr), (1, ""))
 
 
+class Film(Example):
+    """README's moving picture is made again."""
+
+    def test_drag_and_turn(self):
+        try:
+            from PIL import Image
+        except ImportError:
+            self.skipTest("Pillow is not there (Debian: python3-pil).")
+        program = EXAMPLES.parents[1] / "Documentation" / "film.py"
+        self.run_well(
+            program, self.save_sphere(), "--from", 0.3, "--to", 0.7, "--frames", 4, "--size", 80,
+            "--output", "film.webp")
+        with Image.open(self.folder / "film.webp") as animation:
+            self.assertEqual((animation.n_frames, animation.size), (8, (80, 80)))
+            drawn = []
+            for frame in range(8):
+                animation.seek(frame)
+                drawn.append(int((numpy.asarray(animation.convert("L"))[20:] < 250).sum()))
+        self.assertGreater(drawn[0], 1.5 * drawn[2])  # a smaller sphere
+        self.assertGreater(min(drawn), 100)
+
+
 class MeshSweep(Example):
     def test_scattered_points(self):
         said = self.run_well(

@@ -63,7 +63,7 @@ int TestNeverStale(int, char*[])
     const Sweep::Routes routes = Wander(seed, standingStill, 1000);
     ExpectAtLeast(100, "IsomapBuild", routes, what);
     ExpectAtLeast(20, "IsomapLookup", routes, what);
-    ExpectAtLeast(5, "ImageCache", routes, what);
+    ExpectAtLeast(3, "ImageCache", routes, what);
   }
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -26,6 +26,8 @@ namespace
 using Point = std::array<double, 3>;
 using Mapper = vtkTemporalCoherenceVolumeMapper;
 
+/// How many pixels PAPER may lose with each move: the shells of an onion are nearly all silhouette.
+constexpr int Eroded = 80;
 constexpr int Width = 120, Height = 90;
 
 void AddPlane(Mapper* mapper, const Point& origin, const Point& normal)
@@ -214,19 +216,21 @@ void TestRoutes()
       scene.LookFrom(0.7, -1.0, 0.5);
       ColdWitness cold;
       Sweep::Routes routes;
-      const auto step = [&](const std::string& what, bool isExact)
+      const auto step = [&](const std::string& what, int mostDifferent)
       {
         Expect(scene.Render(160, 120) && cold.Draw(scene), name + what + ": rendered");
         ++routes[scene.Mapper->GetStatistics()->GetRouteAsString()];
-        Expect(isExact ? cold.IsIdentical(scene) : cold.CountDifferent(scene) <= 10,
+        Expect(
+          mostDifferent > 0 ? cold.CountDifferent(scene) <= mostDifferent : cold.IsIdentical(scene),
           name + what + ": not the cold picture, by " +
-            scene.Mapper->GetStatistics()->GetRouteAsString());
+            scene.Mapper->GetStatistics()->GetRouteAsString() + ", " +
+            std::to_string(cold.CountDifferent(scene)) + " pixels differ");
       };
-      step(", first", true);
+      step(", first", 0);
       for (int i = 0; i < 12; ++i)
       {
         scene.Renderer->GetActiveCamera()->Azimuth(2.0);
-        step(", orbit", false);
+        step(", orbit", Eroded * (i + 1));
       }
       for (const bool isomap : { true, false })
       {
@@ -235,23 +239,23 @@ void TestRoutes()
         for (int i = 0; i < 12; ++i)
         {
           scene.SetIsovalues({ 0.1 + 0.03 * (i % 5) });
-          step(isomap ? ", sweep" : ", sweep without isomap", true);
+          step(isomap ? ", sweep" : ", sweep without isomap", 0);
         }
       }
       scene.Mapper->IsomapOn();
       // Whatever is cut otherwise makes a cold frame.
       scene.Mapper->SetCroppingRegionPlanes(-0.5, 0.42, -0.4, 0.6, -0.6, 0.5);
-      step(", cropped otherwise", true);
+      step(", cropped otherwise", 0);
       Expect(IsRoute(scene, "Cold"), name + ": another crop is cold");
       scene.Mapper->GetClippingPlanes()->GetItem(0)->SetOrigin(0.21, 0.0, 0.0);
-      step(", clipped otherwise", true);
+      step(", clipped otherwise", 0);
       Expect(IsRoute(scene, "Cold"), name + ": another plane is cold");
-      step(", again", true);
+      step(", again", 0);
       Expect(IsRoute(scene, "Redisplay"), name + ": nothing changed");
       scene.Mapper->CroppingOff();
-      step(", not cropped", true);
+      step(", not cropped", 0);
       scene.Mapper->SetCroppingRegionPlanes(-0.1, 0.1, -0.4, 0.6, -0.6, 0.5);
-      step(", planes that are off", true);
+      step(", planes that are off", 0);
       Expect(IsRoute(scene, "Redisplay"), name + ": planes that are off matter to nobody");
       Expect(routes["ImageCache"] >= 8, name + ": the image cache serves");
       Expect(routes["IsomapLookup"] >= 5, name + ": the isomap too");

@@ -140,7 +140,7 @@ set(volume_files
   Volumes/Samples/SegmentSources
   Volumes/Samples/VisibleComponents
   Volumes/Projections/ExtremeLook
-  Volumes/Projections/ExtremeSearches
+  Volumes/Projections/ExtremeSearch
   Volumes/Projections/FieldProbe
   Volumes/Projections/ImageShares
   Volumes/Projections/KernelsExtremes

@@ -3,7 +3,7 @@
 #include "Volumes/LatticeBlending.h"
 
 #include "Volumes/Beams/CompositeTracer.h"
-#include "Volumes/Projections/ExtremeSearches.h"
+#include "Volumes/Projections/ExtremeSearch.h"
 #include "Volumes/Projections/ImageShares.h"
 #include "Volumes/Projections/ProjectionTracer.h"
 #include "Volumes/Projections/ShareTracer.h"

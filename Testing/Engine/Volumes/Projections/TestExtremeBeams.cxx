@@ -7,7 +7,7 @@
 #include "Grid.h"
 #include "Lattice/Coordinates.h"
 #include "Lattice/RaySource.h"
-#include "Volumes/Projections/ExtremeSearches.h"
+#include "Volumes/Projections/ExtremeSearch.h"
 
 #include <gtest/gtest.h>
 

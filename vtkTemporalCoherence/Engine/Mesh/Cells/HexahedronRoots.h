@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_HexahedronRoots_h
 #define TemporalCoherence_HexahedronRoots_h
 
+#include "Mesh/Cells/CornerPoints.h"
 #include "Mesh/Cells/KernelsCells.h"
 
 #include <array>
@@ -19,6 +20,24 @@ struct SeenHexahedron
 {
   std::array<double, 8> X, Y, Difference, T;
 };
+
+/// A hexahedron in the sheared coordinates of one ray, with the distance behind t as its
+/// difference.
+inline SeenHexahedron SeeFrom(const MeshCell& cell, const MeshRays& rays, std::size_t ray, double t)
+{
+  const std::array<glm::length_t, 3> axes = TurnedAxes(rays.AxisOf(ray));
+  SeenHexahedron seen;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3& point = cell.Points[corner];
+    const double depth = point[axes[2]] - rays.Turned[2][ray];
+    seen.X[corner] = (point[axes[0]] - rays.Turned[0][ray]) - rays.ShearX[ray] * depth;
+    seen.Y[corner] = (point[axes[1]] - rays.Turned[1][ray]) - rays.ShearY[ray] * depth;
+    seen.T[corner] = depth * rays.PerDepth[ray];
+    seen.Difference[corner] = seen.T[corner] - t;
+  }
+  return seen;
+}
 
 /// A place in the cell with x = y = difference = 0.
 struct HexahedronRoot

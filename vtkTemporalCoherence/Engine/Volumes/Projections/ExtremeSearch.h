@@ -52,6 +52,10 @@ struct ExtremeTask
   bool ByBeams = true; ///< false: rays walk from cell to cell
 };
 
+/// Make the search for extremes in an image or a rectilinear grid.
+/// \throws std::bad_alloc
+std::unique_ptr<const ExtremeSearch> MakeExtremeSearch(const ExtremeTask& task);
+
 /// Makes the search for a task; throws std::bad_alloc.
 using ExtremeSearchMaker = std::unique_ptr<const ExtremeSearch> (*)(const ExtremeTask& task);
 

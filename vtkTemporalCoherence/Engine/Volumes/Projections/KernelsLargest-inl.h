@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// LargestOf of ExtremeWalk.h: the largest values of cubics on [0, 1], and their first shares.
+/// LargestOf of ExtremeSearch.cxx: the largest values of cubics on [0, 1], and their first shares.
 /// \param most the largest coefficients
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE void LargestOf(D d, const V b[4], V most, V& value, V& share)

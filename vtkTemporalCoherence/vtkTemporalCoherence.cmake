@@ -86,7 +86,6 @@ set(engine_files
   Mesh/Tiles/BoxLevels
   Mesh/Tiles/CellCuts
   Mesh/Tiles/CellFolds
-  Mesh/Tiles/CellValues
   Mesh/Tiles/KernelsBoxes
   Mesh/Tiles/KernelsMeshRays
   Mesh/Tiles/KernelsOutlines
@@ -190,8 +189,6 @@ set(bridge_files
   Adaptive/AmrBlocks
   Adaptive/AmrLeaves
   Adaptive/AmrMesh
-  Adaptive/AmrNeighbours
-  Adaptive/LeafSearch
   Grids/CellTypes
   Grids/GridCells
   Grids/GridLeaves
@@ -202,8 +199,6 @@ set(bridge_files
   Grids/MadeFrom
   Grids/MeshDefectText
   Grids/MeshSource
-  Grids/MissingCells
-  Grids/SameCells
   Window/DepthReader
   Window/LayerDepthClip
   Window/OpenGLWindow
@@ -220,7 +215,6 @@ set(bridge_files
   Window/WindowRays
   Request/AppearanceFromVolume
   Request/BlendingFromVolume
-  Request/DirectColors
   Request/DrawnVolume
   Request/EmptyInput
   Request/EmptyPicture
@@ -232,7 +226,6 @@ set(bridge_files
   Request/RequestFromMapper
   Request/SampledTransfer
   Request/TransferNodes
-  Request/TransferSamples
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame
@@ -276,7 +269,6 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceVolumeMapperLastFrame.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperPicking.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperSettings.cxx"
-    "${module_directory}/vtkTemporalCoherenceVolumeMapperStatistics.cxx"
     ${bridge_files}
     $<TARGET_OBJECTS:TemporalCoherenceEngine>
     $<TARGET_OBJECTS:TemporalCoherenceVolumes>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The last frame as images and as points.
+// The last frame as images and as points, and its statistics.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
@@ -64,5 +64,50 @@ bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
   const bool isThere = points && this->Internal->Frames.WriteSurface(points, error);
   this->Internal->ReportOnce(error);
   return isThere;
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceStatistics* vtkTemporalCoherenceVolumeMapper::GetStatistics()
+{
+  using TemporalCoherence::Route;
+  static_assert(static_cast<int>(Route::Cold) == ROUTE_COLD &&
+      static_cast<int>(Route::IsomapBuild) == ROUTE_ISOMAP_BUILD &&
+      static_cast<int>(Route::Recomposite) == ROUTE_RECOMPOSITE &&
+      static_cast<int>(Route::KeepValues) == ROUTE_KEEP_VALUES,
+    "Routes tells the same as Route");
+  using TemporalCoherence::SetUpWork;
+  static_assert(static_cast<int>(SetUpWork::None) == MESH_NONE &&
+      static_cast<int>(SetUpWork::Built) == MESH_BUILT,
+    "MeshSetUps tells the same as SetUpWork");
+
+  const TemporalCoherence::MapperFrames& frames = this->Internal->Frames;
+  const TemporalCoherence::FrameStatistics& last = frames.Statistics();
+  const TemporalCoherence::FieldSetUp& setUp = this->Internal->SetUp;
+  vtkTemporalCoherenceStatistics& told = *this->Internal->Statistics;
+  told.Route = static_cast<int>(last.Made);
+  told.RouteName = TemporalCoherence::NameOf(last.Made);
+  told.NumberOfRays = last.Rays;
+  told.NumberOfDefiniteHits = last.DefiniteHits;
+  told.NumberOfDefiniteMisses = last.DefiniteMisses;
+  told.NumberOfPossibleHits = last.PossibleHits;
+  told.NumberOfTracedRays = last.TracedRays;
+  told.NumberOfFieldSamples = last.FieldSamples;
+  told.NumberOfLayers = last.Layers;
+  told.NumberOfMergedLayers = last.MergedLayers;
+  told.IsomapMemory = static_cast<vtkIdType>(frames.LastIsomap().MemoryInBytes());
+  told.NumberOfIsomapKnots = static_cast<vtkIdType>(frames.LastIsomap().NumberOfKnots());
+  told.FrameTime = last.FrameTime + frames.PresentTime();
+  told.TraceTime = last.TraceTime;
+  told.QueryTime = last.QueryTime;
+  told.IsomapBuildTime = frames.IsomapBuildTime();
+  told.ShadeTime = last.ShadeTime;
+  told.PresentTime = frames.PresentTime();
+  told.MeshSetUp = static_cast<int>(setUp.Work);
+  told.MeshSetUpTime = setUp.Seconds;
+  told.MeshMemory = static_cast<vtkIdType>(setUp.Memory);
+  told.ScalarsWereAveraged = setUp.AveragesCells;
+  told.MeshPointError = setUp.Error.OfPoints;
+  told.MeshValueError = setUp.Error.OfValues;
+  return &told;
 }
 VTK_ABI_NAMESPACE_END

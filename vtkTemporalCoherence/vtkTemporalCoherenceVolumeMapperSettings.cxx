@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Settings that are checked: numbers that have to be finite, and values that are deprecated.
+// PrintSelf lists all settings.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
@@ -82,5 +83,29 @@ void vtkTemporalCoherenceVolumeMapper::SetMaximumImageSampleDistance(float pixel
 {
   this->Internal->SetWithin(
     "MaximumImageSampleDistance", pixels, 0.1, 100.0, this->MaximumImageSampleDistance);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SurfaceMode: " << (this->SurfaceMode == THRESHOLD ? "THRESHOLD" : "CROSSING")
+     << endl;
+  os << indent << "VectorMode: " << this->VectorMode << endl;
+  os << indent << "VectorComponent: " << this->VectorComponent << endl;
+  os << indent << "SmoothMeshNormals: " << this->SmoothMeshNormals << endl;
+  os << indent << "MeshMemoryLimit: " << this->MeshMemoryLimit << endl;
+  os << indent << "ReuseFrames: " << this->ReuseFrames << endl;
+  os << indent << "Isomap: " << this->Isomap << endl;
+  os << indent << "ReuseAccuracy: " << this->ReuseAccuracy << endl;
+  os << indent << "RefineWhenStill: " << this->RefineWhenStill << endl;
+  os << indent << "NumberOfCachedImages: " << this->NumberOfCachedImages << endl;
+  os << indent << "IsomapTolerance: " << this->IsomapTolerance << endl;
+  os << indent << "IsomapRange: " << this->IsomapRange[0] << ", " << this->IsomapRange[1] << endl;
+  os << indent << "IsomapMemoryLimit: " << this->IsomapMemoryLimit << endl;
+  os << indent << "FixedStepSampling: " << this->FixedStepSampling << endl;
+  os << indent << "WarnOfIsovalues: " << this->WarnOfIsovalues << endl;
+  os << indent << "Statistics:" << endl;
+  this->GetStatistics()->PrintSelf(os, indent.GetNextIndent());
 }
 VTK_ABI_NAMESPACE_END

@@ -14,6 +14,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDataSet.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -24,6 +25,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 
 namespace TemporalCoherence
 {
@@ -224,6 +226,21 @@ bool SetFlags(const GridLeaf& leaf, const std::vector<std::uint8_t>& missing, Me
   return true;
 }
 
+/// Mark the NaN values of a component.
+template <typename T>
+void MarkNaN(const ArraySamples& samples, std::int64_t count, std::vector<std::uint8_t>& missing)
+{
+  const T* const first = static_cast<const T*>(samples.First);
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (std::isnan(first[i * samples.Step]))
+    {
+      missing.resize(static_cast<std::size_t>(count), 0);
+      missing[static_cast<std::size_t>(i)] = 1;
+    }
+  }
+}
+
 }
 
 void NoteCells(const GridLeaf& leaf, MadeFrom& from)
@@ -253,6 +270,32 @@ void NoteCells(const GridLeaf& leaf, MadeFrom& from)
   }
   from.Add(GhostsOf(leaf.Data->GetCellData()));
   from.Add(GhostsOf(leaf.Data->GetPointData()));
+}
+
+void FindMissingCells(
+  const GridLeaf& leaf, const DrawnComponent& component, std::vector<std::uint8_t>& missing)
+{
+  missing.clear();
+  const vtkIdType count = leaf.Data->GetNumberOfCells();
+  const int components = leaf.Array->GetNumberOfComponents();
+  if (!leaf.OnCells || leaf.Array->GetNumberOfTuples() < count)
+  {
+    return;
+  }
+  const int first = component.IsMagnitude ? 0 : std::max(component.Number, 0);
+  const int end = component.IsMagnitude ? components : component.Number + 1;
+  for (int c = first; c < end && c < components; ++c)
+  {
+    const ArraySamples samples = SamplesOf(leaf.Array, c);
+    if (samples.Type == ScalarType::Float32)
+    {
+      MarkNaN<float>(samples, count, missing);
+    }
+    else if (samples.Type == ScalarType::Float64)
+    {
+      MarkNaN<double>(samples, count, missing);
+    }
+  }
 }
 
 bool SetCells(const GridLeaf& leaf, const std::vector<std::uint8_t>& missing, MeshPart& part,

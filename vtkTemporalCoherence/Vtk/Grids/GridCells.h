@@ -10,6 +10,7 @@
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,13 +33,20 @@ using ArrayCopies = std::vector<vtkSmartPointer<vtkDataArray>>;
 /// Note all arrays and numbers that define the cells of a data set, and the hidden ones.
 void NoteCells(const GridLeaf& leaf, MadeFrom& from);
 
+/// Find the cells whose own values are NaN. They are hidden like flagged cells.
+/// \param missing receives 1 for these cells and 0 for others; empty without such cells, or if
+///                values lie at points
+/// \throws std::bad_alloc
+void FindMissingCells(
+  const GridLeaf& leaf, const DrawnComponent& component, std::vector<std::uint8_t>& missing);
+
 /// Set the cells of a part, and flags that hide some. Points and types of cells are read in place
 /// where they lie in memory, also if all cells have one type or the same number of points. Ghost
 /// arrays of cells hide those that are flagged as hidden, refined or duplicate, and ghost arrays of
 /// points the cells around a hidden point. Missing cells are hidden, too. Cells other than
 /// tetrahedra, voxels, hexahedra, wedges and pyramids are left out.
 ///
-/// \param missing see MissingCells.h
+/// \param missing see FindMissingCells
 /// \param made    receives the combined flags, if they are needed
 /// \param copies  receives the copied arrays, which the part reads
 /// \param census  receives the kinds of left-out cells

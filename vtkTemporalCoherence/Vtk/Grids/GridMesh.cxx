@@ -4,8 +4,6 @@
 
 #include "Adaptive/AmrGrids.h"
 #include "Adaptive/AmrMesh.h"
-#include "Grids/MissingCells.h"
-#include "Grids/SameCells.h"
 #include "Input/SamplesOfArray.h"
 #include "Shapes/SubdividedCells.h"
 
@@ -60,6 +58,31 @@ private:
   std::int64_t Rest = 0;
   std::vector<std::int64_t> Curved;
 };
+
+bool HasSameNumbers(const MeshArray& a, const MeshArray& b, std::int64_t count)
+{
+  std::int64_t i = 0;
+  while (i < count && a.At(i) == b.At(i))
+  {
+    ++i;
+  }
+  return i >= count;
+}
+
+/// True if two parts made of one data set differ in values at most: cells, points and original
+/// cells are equal.
+bool HaveSameCells(const MeshPart& a, const MeshPart& b)
+{
+  return a.NumberOfCells == b.NumberOfCells && a.NumberOfPoints == b.NumberOfPoints &&
+    a.ConnectivitySize == b.ConnectivitySize &&
+    std::equal(a.Types, a.Types + a.NumberOfCells, b.Types) && // made ones: one for each cell
+    HasSameNumbers(a.Offsets, b.Offsets, a.NumberOfCells + 1) &&
+    HasSameNumbers(a.Connectivity, b.Connectivity, a.ConnectivitySize) &&
+    HasSameNumbers(a.Originals, b.Originals, a.NumberOfCells) &&
+    HasSameNumbers(a.Coordinates[0], b.Coordinates[0], a.NumberOfPoints) &&
+    HasSameNumbers(a.Coordinates[1], b.Coordinates[1], a.NumberOfPoints) &&
+    HasSameNumbers(a.Coordinates[2], b.Coordinates[2], a.NumberOfPoints);
+}
 
 /// A new number, unique among all states of meshes in this process.
 std::uint64_t NewStamp()

@@ -68,7 +68,7 @@ private:
   struct LeafPart
   {
     MeshPart Part;
-    std::vector<std::uint8_t> Missing; ///< see MissingCells.h
+    std::vector<std::uint8_t> Missing; ///< see FindMissingCells
     std::vector<MeshPart> Others;      ///< linear cells that replace cells left out of Part
     Makings Made;
     CellCensus Census;

@@ -4,7 +4,6 @@
 
 #include "Input/MatrixFromVtk.h"
 #include "Input/SettingCheck.h"
-#include "Request/DirectColors.h"
 #include "Request/GradientOpacityFromVolume.h"
 #include "Request/LightsFromRenderer.h"
 
@@ -14,8 +13,10 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -51,6 +52,75 @@ double LengthOfUnit(vtkVolume* volume)
   const glm::dmat3 axes(MatrixFromVtk(volume->GetMatrix()));
   const double length = std::cbrt(std::abs(glm::determinant(axes)));
   return length > 0.0 && std::isfinite(length) ? length : 1.0; // PlaceVolume reports the mistake
+}
+
+/// The values whose shares are 0 and 1.
+glm::dvec2 SharesOf(ScalarType type, const glm::dvec2& ofData)
+{
+  switch (type)
+  {
+    case ScalarType::Int8:
+      return { 0.0, std::numeric_limits<std::int8_t>::max() };
+    case ScalarType::UInt8:
+      return { 0.0, std::numeric_limits<std::uint8_t>::max() };
+    case ScalarType::Int16:
+      return { 0.0, std::numeric_limits<std::int16_t>::max() };
+    case ScalarType::UInt16:
+      return { 0.0, std::numeric_limits<std::uint16_t>::max() };
+    case ScalarType::Float32:
+      return { 0.0, 1.0 };
+    default:
+      return ofData;
+  }
+}
+
+/// Maps a value linearly from the range of the data to the range of shares.
+double Stretched(double value, const glm::dvec2& ofData, const glm::dvec2& shares)
+{
+  return shares.x + (value - ofData.x) / (ofData.y - ofData.x) * (shares.y - shares.x);
+}
+
+/// Give four dependent components the meaning that they have in VTK's GPU mapper.
+///
+/// They are shares, as in its textures: shares of the largest number for types of 8 or 16 bits,
+/// plain values for floats, and shares of the data's range otherwise. The first three are a colour.
+/// The share of the last one selects a value in its range, whose opacity counts. AverageRange
+/// treats the share of the first one likewise.
+/// \param volume of the use RgbOpacity, with ScalarRanges and functions in units of the data.
+/// \param type   of the samples
+void ShowDirectColors(ScalarType type, Blending& volume)
+{
+  assert(volume.Use == ComponentUse::RgbOpacity);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<glm::dvec2> ofData = volume.ScalarRanges;
+  for (glm::dvec2& range : volume.ScalarRanges)
+  {
+    range = SharesOf(type, range);
+  }
+
+  // A range without width has a single value and cannot be stretched.
+  const glm::dvec2 &opacities = ofData.back(), &first = ofData.front();
+  glm::dvec2& transfer = volume.Looks.front().Transfer.Range;
+  if (opacities.x < opacities.y)
+  {
+    const glm::dvec2& shares = volume.ScalarRanges.back();
+    transfer = { Stretched(transfer.x, opacities, shares),
+      Stretched(transfer.y, opacities, shares) };
+  }
+  glm::dvec2& averaged = volume.AverageRange;
+  if (first.x < first.y)
+  {
+    const glm::dvec2& shares = volume.ScalarRanges.front();
+    averaged = { Stretched(averaged.x, first, shares), Stretched(averaged.y, first, shares) };
+  }
+  else if (averaged.x <= first.x && first.x <= averaged.y)
+  {
+    averaged = { -infinity, infinity };
+  }
+  else
+  {
+    averaged = { infinity, infinity };
+  }
 }
 
 /// Find the way to use components together.

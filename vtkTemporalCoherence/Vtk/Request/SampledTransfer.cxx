@@ -2,17 +2,171 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/SampledTransfer.h"
 
+#include <vtkColorTransferFunction.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 
 namespace TemporalCoherence
 {
 namespace
 {
+
+/// Intervals between samples.
+constexpr std::size_t MostIntervals = 1 << 16;
+
+/// Clamp a number to [0, 1]. Valid nodes may give NaN, for example by logarithms of negative
+/// positions.
+double ShareOf(double value)
+{
+  return value >= 0.0 ? std::min(value, 1.0) : 0.0;
+}
+
+/// Samples functions at equal distances.
+class Sampler
+{
+public:
+  Sampler(
+    const TransferFunctions& functions, const std::vector<double>& nodes, const AskedValues& asked)
+    : Of(functions)
+  {
+    this->Spread(nodes, asked.Range);
+    constexpr auto intervals = static_cast<double>(MostIntervals);
+    this->Made.Range = { this->First, this->First + intervals * this->Step };
+    this->Made.Nodes.resize(MostIntervals + 1);
+    this->SampleColors();
+    this->SampleOpacities(asked);
+  }
+
+  TransferFunction Made;
+
+private:
+  double At(std::size_t i) const { return this->First + static_cast<double>(i) * this->Step; }
+  int Count() const { return static_cast<int>(this->Made.Nodes.size()); }
+
+  /// Choose the places of samples.
+  void Spread(const std::vector<double>& nodes, const glm::dvec2& range)
+  {
+    constexpr auto intervals = static_cast<double>(MostIntervals);
+    constexpr double rounding = 1e-6;
+    const double low = std::clamp(nodes.front(), range.x, range.y);
+    const double high = std::clamp(nodes.back(), range.x, range.y);
+    const std::vector<double> between(std::lower_bound(nodes.begin(), nodes.end(), low),
+      std::upper_bound(nodes.begin(), nodes.end(), high));
+    const double common = StepBetween(between, high - low);
+    if (common > 0.0)
+    {
+      // Each node keeps its sample even if others are left out later.
+      const double anchor = between.front();
+      const double before = std::ceil((anchor - low) / common - rounding) + 1.0;
+      const double behind = std::ceil((high - anchor) / common - rounding) + 1.0;
+      this->Step = common / std::exp2(std::floor(std::log2(intervals / (before + behind))));
+      this->First = anchor - before * common;
+    }
+    else
+    {
+      // Four intervals may lie beyond the nodes. A step must exceed rounding errors.
+      const double largest = std::max(std::abs(low), std::abs(high));
+      const double least = std::max(largest * 0x1p-50, 0x1p-960);
+      this->Step =
+        std::exp2(std::ceil(std::log2(std::max((high - low) / (intervals - 4.0), least))));
+      this->First = (std::floor(low / this->Step) - 1.0) * this->Step;
+    }
+  }
+
+  /// A step that meets every node and covers a range with the available samples; 0 if there is
+  /// none.
+  static double StepBetween(const std::vector<double>& nodes, double width)
+  {
+    constexpr double most = 0.5 * MostIntervals;
+    if (nodes.size() != 1)
+    {
+      return nodes.empty() ? 0.0 : CommonStep(nodes, width, most);
+    }
+    // A single node gets at least a few samples on each side. Curved functions keep more of them.
+    const double step = std::exp2(std::ceil(std::log2(width))) / 16.0;
+    return step > std::abs(nodes.front()) * 0x1p-34 && std::isfinite(step) ? step : 0.0;
+  }
+
+  void SampleColors()
+  {
+    std::vector<glm::dvec4>& nodes = this->Made.Nodes;
+    const glm::dvec2& range = this->Made.Range;
+    if (this->Of.Color && this->Of.Color->GetScale() == VTK_CTF_LINEAR)
+    {
+      std::vector<glm::dvec3> colors(nodes.size());
+      this->Of.Color->GetTable(range.x, range.y, this->Count(), &colors.front().x);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        nodes[i] = glm::dvec4(colors[i], 0.0);
+      }
+      this->MendFirstNode();
+    }
+    else if (this->Of.Color)
+    {
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        this->Of.Color->GetColor(this->At(i), &nodes[i].x);
+      }
+    }
+    else
+    {
+      std::vector<double> grays(nodes.size());
+      this->Of.Gray->GetTable(range.x, range.y, this->Count(), grays.data());
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        nodes[i] = glm::dvec4(glm::dvec3(grays[i]), 0.0);
+      }
+    }
+  }
+
+  /// Correct a sample: a table of VTK that begins before the first node is black at this node.
+  void MendFirstNode()
+  {
+    double node[6]; // position, colour, midpoint, sharpness
+    if (this->Of.Color->GetSize() > 0 && this->Of.Color->GetNodeValue(0, node) == 1)
+    {
+      const double place = std::round((node[0] - this->First) / this->Step);
+      const auto at = static_cast<std::size_t>(std::clamp(place, 0.0, this->Count() - 1.0));
+      this->Of.Color->GetColor(this->At(at), &this->Made.Nodes[at].x);
+    }
+  }
+
+  /// Sample opacities, and clamp all numbers to their range.
+  void SampleOpacities(const AskedValues& asked)
+  {
+    std::vector<double> opacities(this->Made.Nodes.size());
+    this->Of.Opacity->GetTable(
+      this->Made.Range.x, this->Made.Range.y, this->Count(), opacities.data());
+    const glm::dvec2& range = asked.Range;
+    for (std::size_t i = 0; i < opacities.size(); ++i)
+    {
+      if (const double at = this->At(i); asked.AreClamped && (at < range.x || at > range.y))
+      {
+        opacities[i] = this->Of.Opacity->GetValue(at < range.x ? range.x : range.y);
+      }
+      glm::dvec4& node = this->Made.Nodes[i];
+      node = { ShareOf(node.x), ShareOf(node.y), ShareOf(node.z), ShareOf(opacities[i]) };
+    }
+  }
+
+  TransferFunctions Of;
+  double Step = 1.0, First = 0.0;
+};
+
+/// Sample functions at equal distances over the range that the data and the nodes have in common,
+/// and slightly beyond. Nodes far from the data leave no trace. Each node in this range has a
+/// sample if all nodes there fit one grid.
+/// \param nodes of the functions (FindNodes)
+TransferFunction SampleFunctions(
+  const TransferFunctions& functions, const std::vector<double>& nodes, const AskedValues& asked)
+{
+  return Sampler(functions, nodes, asked).Made;
+}
 
 /// Lower limit of intervals between the remaining samples.
 constexpr std::size_t FewestIntervals = 1 << 4;

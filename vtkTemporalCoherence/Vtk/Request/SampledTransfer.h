@@ -4,7 +4,6 @@
 #define TemporalCoherence_SampledTransfer_h
 
 #include "Request/TransferNodes.h"
-#include "Request/TransferSamples.h"
 #include "Scene/Blending.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -22,6 +21,18 @@ VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {
+
+/// The values at which functions are evaluated.
+struct AskedValues
+{
+  glm::dvec2 Range; ///< of the data
+  bool AreClamped;  ///< other values may occur; they are as opaque as the nearest end of the range
+};
+
+inline bool operator==(const AskedValues& a, const AskedValues& b)
+{
+  return a.Range == b.Range && a.AreClamped == b.AreClamped;
+}
 
 /// The colour and the opacity of one component of a property, sampled. It is sampled again when the
 /// functions change, or the range of the data.

@@ -79,7 +79,6 @@ set(engine_files
   Mesh/Tree/MeshLeaves
   Mesh/Tree/MeshOrder
   Mesh/Tree/MeshRanges
-  Mesh/Tree/MeshRuns
   Mesh/Tree/MeshTree
   Mesh/Tree/RadixSort
   Mesh/Tiles/ActiveLeaves

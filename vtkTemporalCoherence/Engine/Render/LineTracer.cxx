@@ -35,7 +35,9 @@ std::optional<LineHit> TraceLine(
   key.Appearance = Appearance();
   key.Appearance.Colors.resize(key.Isosurfaces.Isovalues.size());
   Frame frame;
-  frame.Resize(key.View.Size, { false, false, key.Samples.Shape->Abilities().IsMesh });
+  FrameExtras extras;
+  extras.Cells = key.Samples.Shape->Abilities().IsMesh;
+  frame.Resize(key.View.Size, extras);
   frame.Layers.resize(key.Isosurfaces.IsTranslucent() ? 1 : 0);
   const PixelRect pixel{ glm::ivec2(0), glm::ivec2(1) };
   // No structures: building them pays for whole pictures only, and reading every cell on one line

@@ -16,7 +16,7 @@
  * converged: VTK's mapper would draw it with infinitely dense samples.
  *
  * vtkOpenGLGPUVolumeRayCastMapper draws SLICE_BLEND. It also draws
- * - volumes of several inputs (vtkMultiVolume),
+ * - volumes with several inputs (vtkMultiVolume),
  * - volumes in a renderer that peels them by depth (UseDepthPeelingForVolumes),
  * - volumes with user-defined shaders (vtkShaderProperty),
  * - volumes with two-dimensional transfer functions,
@@ -127,8 +127,8 @@ public:
   const char* GetReason() { return this->Reason.c_str(); }
 
   /**
-   * Get the ratio by which the input is reduced to fit into memory: 1 along each axis if
-   * isosurfaces are drawn on the CPU, or if the last frame was drawn there.
+   * Get the ratio by which the input is reduced to fit into memory: 1 along each axis in
+   * ISOSURFACE_BLEND and after a frame of vtkTemporalCoherenceVolumeMapper.
    */
   void GetReductionRatio(double ratio[3]) override;
 

@@ -5,10 +5,10 @@
  * @brief   creates vtkTemporalCoherenceGPUVolumeRayCastMapper for vtkGPUVolumeRayCastMapper
  *
  * After UseEverywhere(), vtkGPUVolumeRayCastMapper::New() creates a
- * vtkTemporalCoherenceGPUVolumeRayCastMapper. It draws isosurfaces and, where OpenGL has no GPU,
- * blended volumes with vtkTemporalCoherenceVolumeMapper, and everything else as before. This
- * includes the mappers that vtkSmartVolumeMapper and vtkMultiBlockVolumeMapper create. Mappers that
- * exist already do not change.
+ * vtkTemporalCoherenceGPUVolumeRayCastMapper, also inside vtkSmartVolumeMapper and
+ * vtkMultiBlockVolumeMapper. It draws isosurfaces and, where OpenGL has no GPU, blended volumes
+ * with vtkTemporalCoherenceVolumeMapper. It draws everything else as before. Existing mappers do
+ * not change.
  *
  * A program that is not rebuilt can load this factory by the environment variable
  * VTK_AUTOLOAD_PATH. Set it to the directory vtkTemporalCoherence/autoload beside the library of

@@ -4,9 +4,9 @@
  * @class   vtkTemporalCoherencePaperMapper
  * @brief   settings for a comparison with the paper
  *
- * This is a base class of vtkTemporalCoherenceVolumeMapper. Its settings choose between the method
- * as it was published in "Accelerating Volume Visualization by Exploiting Temporal Coherence" and
- * as it is here. Applications need none of them.
+ * This is a base class of vtkTemporalCoherenceVolumeMapper. Its settings choose between the
+ * published method ("Accelerating Volume Visualization by Exploiting Temporal Coherence") and the
+ * method of this library. Applications need none of them.
  *
  * @sa vtkTemporalCoherenceVolumeMapper
  */
@@ -34,7 +34,7 @@ public:
   //@{
   /**
    * Set/Get which frames the image cache keeps. LATEST (default): every frame. KEY_IMAGE: cold
-   * frames only, one of which is made every KeyImageInterval frames (default: 7, at least 1).
+   * frames only. One is made every KeyImageInterval frames (default: 7, at least 1).
    */
   vtkSetClampMacro(ImageCachePolicy, int, LATEST, KEY_IMAGE);
   vtkGetMacro(ImageCachePolicy, int);
@@ -70,7 +70,7 @@ public:
   /**
    * ColorByAnswer (default: off) paints surfaces yellow if they were found without the image cache.
    * It affects frames of the route ImageCache only. SpaceLeaping (default: on) skips blocks of
-   * cells that hold none of the isovalues. Without it, a ray reads every cell on its way.
+   * cells that no isovalue passes. Without it, a ray reads every cell on its way.
    */
   vtkSetMacro(ColorByAnswer, vtkTypeBool);
   vtkGetMacro(ColorByAnswer, vtkTypeBool);

@@ -19,13 +19,13 @@
  *
  * vtkCellPicker and vtkVolumePicker cannot pick isosurfaces, because they use the scalar opacity
  * only. They read the opacity where the line passes from cell to cell, and stop where it is above
- * VolumeOpacityIsovalue. The opacity function of a new property is 1 everywhere, so that every pick
- * ends on the volume's box. VolumeOpacityIsovalue and UseVolumeGradientOpacity have no effect on
+ * VolumeOpacityIsovalue. The opacity function of a new property is 1 everywhere, so every pick ends
+ * on the volume's box. VolumeOpacityIsovalue and UseVolumeGradientOpacity have no effect on
  * isosurfaces of this mapper.
  *
  * In the other blend modes, volumes are picked by the superclasses. These can only pick images
- * whose active point scalars are drawn, and no other volumes. PickPixel finds the first visible
- * place of any volume in the last picture.
+ * whose active point scalars are drawn. PickPixel finds the first visible place of any volume in
+ * the last picture.
  *
  * With PickCroppingPlanes or PickClippingPlanes on, the planes that crop or clip the volume are
  * picked instead of the volume, as by the superclasses.

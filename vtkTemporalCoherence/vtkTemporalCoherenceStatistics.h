@@ -35,8 +35,8 @@ public:
 
   //@{
   /**
-   * Numbers of rays in the frame. A hit or miss is definite if an earlier frame or the isomap gave
-   * it without a search. Other rays are possible hits. Traced rays went through the field;
+   * Numbers of rays in the frame. A definite miss is known to meet nothing. A definite hit was
+   * known before or predicted. Other rays are possible hits. Traced rays went through the field;
    * NumberOfFieldSamples counts the samples that were read.
    */
   vtkGetMacro(NumberOfRays, vtkIdType);
@@ -49,7 +49,7 @@ public:
 
   //@{
   /**
-   * Number of composited surfaces (0 if all are opaque), and of those merged into one in front.
+   * Number of composited surfaces (0 if all are opaque), and of surfaces merged into one in front.
    */
   vtkGetMacro(NumberOfLayers, vtkIdType);
   vtkGetMacro(NumberOfMergedLayers, vtkIdType);

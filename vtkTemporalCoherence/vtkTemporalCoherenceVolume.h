@@ -4,10 +4,10 @@
  * @class   vtkTemporalCoherenceVolume
  * @brief   a vtkVolume whose opaque isosurfaces are drawn with the opaque props
  *
- * vtkVolume draws after all translucent polygons. That suits fog, but not an opaque isosurface. The
- * surface covers a translucent polygon in front of it. vtkSSAOPass and vtkShadowMapPass do not know
- * the surface, because they work on what the opaque pass has drawn. Depth peeling does not know it
- * either, unless it peels volumes as well (vtkRenderer::UseDepthPeelingForVolumes).
+ * vtkVolume draws after all translucent polygons. That suits fog, but not an opaque isosurface,
+ * which then covers translucent polygons in front of it. vtkSSAOPass and vtkShadowMapPass do not
+ * know the surface, because they work on what the opaque pass has drawn. Depth peeling does not
+ * know it either, unless it peels volumes as well (vtkRenderer::UseDepthPeelingForVolumes).
  *
  * This prop draws in the opaque pass if its mapper is a vtkTemporalCoherenceVolumeMapper and all
  * isosurfaces are opaque: each has a scalar opacity of 1 (or of 0, which leaves it out), and the

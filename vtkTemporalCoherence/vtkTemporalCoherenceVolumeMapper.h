@@ -89,10 +89,10 @@ public:
 
   //@{
   /**
-   * Set/Get two settings of meshes. SmoothMeshNormals: normals are the gradients in the cell that
-   * is hit, which shows facets (off, default), or gradients averaged at the points (on).
-   * MeshMemoryLimit: the most memory to set up a mesh, in MiB; needing more is an error. Default:
-   * 0, no limit.
+   * Set/Get two settings of meshes. SmoothMeshNormals: off (default), normals are the gradients in
+   * the cell that is hit, which shows facets; on, they are gradients averaged at the points.
+   * MeshMemoryLimit: the most memory to set up a mesh, in MiB; more is an error. Default: 0, no
+   * limit.
    */
   vtkSetMacro(SmoothMeshNormals, vtkTypeBool);
   vtkGetMacro(SmoothMeshNormals, vtkTypeBool);
@@ -104,9 +104,9 @@ public:
   //@{
   /**
    * Set/Get whether frames re-use earlier pictures (default: on), and how many pictures each viewer
-   * keeps, 1 (default) to 64. On: new opacities, new colours of a projection and another time step
-   * cost only the affected work and, unless ReuseAccuracy is EXACT, a frame of a moved camera may
-   * start from an earlier picture. Off: these frames are cold. The isomap has its own switch.
+   * keeps for PAPER, 1 (default) to 64. On: new opacities, new colours of a projection and another
+   * time step cost only the affected work. With PAPER, a moved camera starts from an earlier
+   * picture. Off: these frames are cold. Isomap is a switch of its own.
    */
   vtkSetMacro(ReuseFrames, vtkTypeBool);
   vtkGetMacro(ReuseFrames, vtkTypeBool);
@@ -137,13 +137,13 @@ public:
   vtkBooleanMacro(RefineWhenStill, vtkTypeBool);
   //@}
 
-  /** Deprecated, to be removed in the next version: sets EXACT. */
+  /** Deprecated, like BOUNDED: sets EXACT. Version 0.4 will remove both. */
   void SetReuseAccuracyToBounded() { this->SetReuseAccuracy(BOUNDED); }
 
   //@{
   /**
    * Set/Get whether a new isovalue in the same view is looked up in the isomap, tile by tile (on,
-   * default), or makes a cold frame (off). The picture is the same.
+   * default), or makes a cold frame (off). With IsomapTolerance 0, both pictures are equal.
    *
    * - IsomapTolerance: the largest distance between a surface from the isomap and the exact one, in
    *   voxels (finite). Default: 0, the cold picture byte for byte. Values below 0.001 count as 0,
@@ -189,8 +189,8 @@ public:
 
   //@{
   /**
-   * Set/Get whether to warn once of a picture that shows nothing: because all samples lie on one
-   * side of each isovalue, or for want of visible cells. Default: on.
+   * Set/Get whether to warn once of a picture that shows nothing because all samples lie on one
+   * side of each isovalue, or because no cell is visible. Default: on.
    */
   vtkSetClampMacro(WarnOfIsovalues, vtkTypeBool, 0, 1);
   vtkGetMacro(WarnOfIsovalues, vtkTypeBool);
@@ -198,14 +198,14 @@ public:
   //@}
 
   /**
-   * Build the isomap of the present view before a new isovalue needs it. The size of the picture is
-   * that of the renderer's window or, without a window, that of the last frame. The last frame is
-   * kept. Documentation/Mapper.md tells how to observe and to stop it.
-   * @return true if there is an isomap for the present isovalues afterwards
+   * Build the isomap of the present view before a new isovalue needs it. The picture has the size
+   * of the renderer's window or, without one, of the last frame. The last frame is kept.
+   * Documentation/Mapper.md tells how to observe and stop the building.
+   * @return true if the isomap now holds the present isovalues
    */
   bool BuildIsomap(vtkRenderer* renderer, vtkVolume* volume);
 
-  /** Free all pictures and structures that are kept. The next frame is cold. */
+  /** Free all kept pictures and structures. The next frame is cold. */
   void ClearCache();
 
   /** Bits that select point arrays of a frame. In parentheses: the value without a surface. */
@@ -264,8 +264,8 @@ public:
    * Get the surface point that the last frame shows at a pixel; (0, 0) is at the lower left.
    * Position and normal are in world coordinates; the normal is a unit vector and faces the viewer.
    * Each result may be null. In a blended volume, the position is the first visible place on the
-   * ray, and the index is -1. The normal is the direction of the gradient there in COMPOSITE_BLEND,
-   * else (and with several independent components) 0.
+   * ray (of maxima and minima, the value's place), and the index is -1. The normal is the
+   * gradient's direction in COMPOSITE_BLEND without several independent components, else 0.
    * @return false if there is no surface, no such pixel or no frame. Nothing is written then.
    */
   bool PickPixel(int x, int y, double position[3], double normal[3], int* isovalueIndex);
@@ -281,7 +281,7 @@ public:
 
   /**
    * Find the first surface on the line from p1 to p2 in world coordinates. No frame is needed, and
-   * the last frame is kept. The line begins at p1 as a ray does at the near plane.
+   * the last frame is kept. The line begins at p1 like a ray at the near plane.
    * @param t receives the place of the hit on the line, from 0 at p1 to 1 at p2. The other results
    *          are as in PickPixel(); the normal faces p1.
    * @return false if there is no surface, or after an error. Nothing is written then.
@@ -296,8 +296,8 @@ public:
     ROUTE_REDISPLAY,       ///< nothing changed: the last picture is shown again
     ROUTE_RESHADE,         ///< only colours, lights or shading changed: known hits are shaded again
     ROUTE_ISOMAP_LOOKUP,   ///< a new isovalue is looked up in the isomap of the view
-    ROUTE_ISOMAP_BUILD,    ///< isomap, where some tiles are built or traced
-    ROUTE_IMAGE_CACHE = 6, ///< the view changed: rays start from a cached image
+    ROUTE_ISOMAP_BUILD,    ///< the isomap lacks some tiles: they are built or traced
+    ROUTE_IMAGE_CACHE = 6, ///< the view changed (PAPER): rays start from a cached image
     ROUTE_TIME_STEP,       ///< samples changed: pixels that no changed sample affects are copied
     ROUTE_RECOMPOSITE,     ///< only opacities changed: known layers are composited again
     ROUTE_KEEP_VALUES = 10 ///< only colours of a projection changed: known values are coloured
@@ -330,7 +330,7 @@ public:
 
   /**
    * Return true if everything that this mapper draws of the volume is opaque: no isovalue has a
-   * scalar opacity between 0 and 1, and there is no gradient opacity. Blended volumes are not.
+   * scalar opacity between 0 and 1, and there is no gradient opacity. False for blended volumes.
    */
   bool IsOpaque(vtkVolume* volume);
 

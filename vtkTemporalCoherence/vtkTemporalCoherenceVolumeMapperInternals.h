@@ -36,8 +36,8 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;               ///< reported already; empty after a frame without error
   bool HasWarned = false;              ///< of the memory limit
-  bool HasWarnedOfDivision = false;    ///< since it was fine
-  bool HasWarnedOfOverlap = false;     ///< since it was fine
+  bool HasWarnedOfDivision = false;    ///< and the error is still large
+  bool HasWarnedOfOverlap = false;     ///< and cells still overlap
   bool HasWarnedOfBounded = false;     ///< an accuracy that is removed
   TemporalCoherence::FieldSetUp SetUp; ///< of the last frame
   vtkNew<vtkTemporalCoherenceStatistics> Statistics;

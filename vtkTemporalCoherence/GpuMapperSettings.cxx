@@ -80,7 +80,7 @@ std::string WhyNotDrawn(vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer
   }
   if (mapper->GetRenderToImage())
   {
-    return "MakeImage is on";
+    return "RenderToImage is on";
   }
   return std::string();
 }

@@ -305,7 +305,7 @@ void TestWhatIsLeftToVtk()
       stage.Volume->GetProperty()->SetTransferFunction2D(table);
       stage.Volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
     });
-  ExpectLeftToVtk("MakeImage is on", [&](Stage& stage) { gpu(stage)->RenderToImageOn(); });
+  ExpectLeftToVtk("RenderToImage is on", [&](Stage& stage) { gpu(stage)->RenderToImageOn(); });
   ExpectLeftToVtk("there are several inputs",
     [&](Stage& stage)
     {

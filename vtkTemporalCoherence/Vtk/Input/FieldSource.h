@@ -38,7 +38,7 @@ struct FieldQuery
   const std::vector<double>* Isovalues = nullptr; ///< to draw; null if the volume is blended
   MaskSettings Mask;
   bool NeedsScalarRanges = false;  ///< PlacedField::ScalarRanges
-  bool AveragedGradients = false;  ///< of meshes
+  bool AveragedGradients = false;  ///< the setting SmoothMeshNormals
   std::size_t MeshMemoryLimit = 0; ///< bytes for the set-up of a mesh; 0: no limit
   ReportProgress Report;           ///< progress of long work, which it may stop
 };

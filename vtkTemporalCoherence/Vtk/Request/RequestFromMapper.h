@@ -36,7 +36,7 @@ struct PictureSettings
   vtkContourValues* DepthPass = nullptr;      ///< isovalues if the property has none; or null
   MaskSettings Mask;
   double SampleDistance = 0.0;     ///< of blended volumes, in the data's coordinates; 0: converged
-  bool AveragedGradients = false;  ///< of meshes
+  bool AveragedGradients = false;  ///< the setting SmoothMeshNormals
   std::size_t MeshMemoryLimit = 0; ///< bytes for the set-up of a mesh; 0: no limit
 };
 

@@ -215,6 +215,8 @@ class Film(Example):
         except ImportError:
             self.skipTest("Pillow is not there (Debian: python3-pil).")
         program = EXAMPLES.parents[1] / "Documentation" / "film.py"
+        if not program.exists():
+            self.skipTest("The documentation is not there.")
         self.run_well(
             program, self.save_sphere(), "--from", 0.3, "--to", 0.7, "--frames", 4, "--size", 80,
             "--output", "film.webp")

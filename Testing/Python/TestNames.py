@@ -13,12 +13,12 @@ from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 from vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
     vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
-    vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceStatistics, vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
 
 CLASSES = (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
     vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
-    vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceStatistics, vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
 
 # Set...To..., the value that Get... returns then, and the constant of that value.
 CHOICES = {

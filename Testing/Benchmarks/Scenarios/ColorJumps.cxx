@@ -4,19 +4,17 @@
 // Composite volumes whose colours jump where their opacity does not: how far pictures are from the
 // integral, and what frames cost.
 
+#include "BlendErrors.h"
 #include "BlendLooks.h"
 #include "BlendWays.h"
 #include "Measuring.h"
 #include "Scenario.h"
-#include "SteppedIntegral.h"
 
-#include <vtkSMPTools.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <limits>
@@ -37,8 +35,8 @@ constexpr int Coarse = 8;
 /// At most so many pixels of a picture are compared.
 constexpr std::size_t MostCompared = 4096, MostComparedIfQuick = 128;
 
-/// All points of functions lie at multiples of this part of the range, so that the mapper's samples
-/// of them show what the integral sees.
+/// All points of functions lie at multiples of this part of the range, and so at nodes of the
+/// mapper's and of the integral's tables.
 constexpr double Grid = 1.0 / 1024.0;
 
 constexpr std::array<double, 3> Red{ 1.0, 0.0, 0.0 }, Cyan{ 0.0, 1.0, 1.0 };
@@ -136,38 +134,12 @@ std::vector<Case> CasesOf(const Volumes::Sample& volume, vtkImageData* image)
   return cases;
 }
 
-/// What a picture is off by, in units of 1/255 of the channel that is farthest off, and the least
-/// time of a frame.
+/// How near pictures are, and the least time of a frame.
 struct Figures
 {
-  double PercentBeyondOne, Largest, CpuMs;
+  BlendErrors::Errors Errors;
+  double CpuMs;
 };
-
-/// Of some pixels that lie all over the picture.
-std::vector<double> ErrorsOf(
-  const BlendWays::Picture& picture, const Stage& stage, const Look& look, std::size_t most)
-{
-  const SteppedIntegral integral(stage);
-  // Odd, so that columns change from row to row.
-  const std::size_t stride = (picture.size() + most - 1) / most | 1u;
-  std::vector<double> errors((picture.size() + stride - 1) / stride);
-  const auto size = static_cast<std::size_t>(stage.Size);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(errors.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        const std::size_t pixel = i * stride;
-        const std::array<double, 3> color =
-          integral.ColorAt(static_cast<int>(pixel % size), static_cast<int>(pixel / size), look);
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          errors[i] = std::max(errors[i], std::abs(color[c] - picture[pixel][c]));
-        }
-      }
-    });
-  return errors;
-}
 
 Figures Measure(Stage& stage, const Look& look, int frames, std::size_t mostCompared)
 {
@@ -179,8 +151,11 @@ Figures Measure(Stage& stage, const Look& look, int frames, std::size_t mostComp
   const auto ways = BlendWays::All(stage, vtkVolumeMapper::COMPOSITE_BLEND, false);
   BlendWays::Way& cold = *ways.front();
   cold.Draw(stage);
-  const std::vector<double> errors = ErrorsOf(cold.Shown(), stage, look, mostCompared);
-  const auto beyond = std::count_if(errors.begin(), errors.end(), [](double e) { return e > 1.0; });
+  const BlendWays::Picture picture = cold.Shown();
+  // Odd, so that columns change from row to row.
+  const std::size_t stride = (picture.size() + mostCompared - 1) / mostCompared | 1u;
+  const BlendErrors::Truth truth(stage, look, vtkVolumeMapper::COMPOSITE_BLEND, stride);
+  const BlendErrors::Errors errors = truth.Of(picture);
   double least = std::numeric_limits<double>::infinity();
   for (int frame = 0; frame < frames; ++frame)
   {
@@ -190,8 +165,7 @@ Figures Measure(Stage& stage, const Look& look, int frames, std::size_t mostComp
     cold.Draw(stage);
     least = std::min(least, Measuring::CpuTime() - begin);
   }
-  return { 100.0 * static_cast<double>(beyond) / static_cast<double>(errors.size()),
-    Measuring::Worst(errors), least };
+  return { errors, least };
 }
 
 void Report(const MarkdownTable& table, JsonWriter& json, const std::string& volume, int size,
@@ -199,14 +173,14 @@ void Report(const MarkdownTable& table, JsonWriter& json, const std::string& vol
 {
   const double width = measured.Width * Grid;
   table.Row({ volume, std::to_string(size), measured.Shown.Name,
-    measured.Width > 0 ? Fixed(100.0 * width, 1) : "-", Fixed(figures.PercentBeyondOne, 2),
-    Fixed(figures.Largest, 2), Fixed(figures.CpuMs, 1) });
+    measured.Width > 0 ? Fixed(100.0 * width, 1) : "-", Fixed(figures.Errors.PercentBeyondOne, 2),
+    Fixed(figures.Errors.Largest, 2), Fixed(figures.CpuMs, 1) });
   json.OpenObject();
   json.Add("size", size);
   json.Add("look", measured.Shown.Name);
   json.Add("width", width);
-  json.Add("percentBeyondOne", figures.PercentBeyondOne);
-  json.Add("largestError", figures.Largest);
+  json.Add("percentBeyondOne", figures.Errors.PercentBeyondOne);
+  json.Add("largestError", figures.Errors.Largest);
   json.Add("cpuMs", figures.CpuMs);
   json.Close();
 }
@@ -215,9 +189,7 @@ bool Run(const Settings& settings, JsonWriter& json)
 {
   const int frames = settings.FramesOr(UsualFrames);
   std::cout << "Without light. Ramp: % of the range of values in which colours change. Errors from "
-               "an integral of "
-            << SteppedIntegral::Steps
-            << " steps a ray, in 1/255 and with rounding: % of the pixels beyond 1, and the "
+               "the integral, in 1/255 and with rounding: % of the pixels beyond 1, and the "
                "largest. Least CPU time in ms of "
             << frames << " cold frames\n\n";
   const MarkdownTable table(

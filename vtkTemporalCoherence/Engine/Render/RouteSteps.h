@@ -21,8 +21,10 @@ namespace TemporalCoherence
 inline FrameExtras ExtrasOf(const FrameTask& task)
 {
   const FrameOptions& options = task.Options;
-  return { options.Reuse.ImageCache && options.Accuracy == ReuseAccuracy::Paper,
-    task.Key.Samples.Shape->Abilities().IsMesh };
+  FrameExtras extras;
+  extras.Disparities = options.Reuse.ImageCache && options.Accuracy == ReuseAccuracy::Paper;
+  extras.Cells = task.Key.Samples.Shape->Abilities().IsMesh;
+  return extras;
 }
 
 /// Make room for the frame, and find out where its rays can meet surfaces.

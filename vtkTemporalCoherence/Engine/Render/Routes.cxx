@@ -54,8 +54,9 @@ void CountKnownHits(FrameTask& task, const Frame& picture)
 FrameExtras ExtrasToCopy(const FrameTask& task)
 {
   const Frame& last = task.Store.Last().Picture;
-  const FrameExtras extras = ExtrasOf(task);
-  return { extras.Disparities && !last.Disparities.empty(), extras.Cells };
+  FrameExtras extras = ExtrasOf(task);
+  extras.Disparities = extras.Disparities && !last.Disparities.empty();
+  return extras;
 }
 
 /// True if the colours of a cached image may be re-used: surfaces and lights must be the same.

@@ -51,7 +51,7 @@ struct Cubic
 template <class V>
 HWY_INLINE Cubic<V> CubicAlong(const V v[8], const V begin[3], const V across[3])
 {
-  V at[4], slope[4]; // on the faces in between, by y and z
+  V at[4], slope[4]; // along the four edges in x, by y and z
   for (std::size_t yz = 0; yz < 4; ++yz)
   {
     const V rise = hn::Sub(v[2 * yz + 1], v[2 * yz]);

@@ -3,13 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes README's moving picture: the isovalue of a brain is dragged, then the brain turns.
 
-It needs Pillow (Debian package python3-pil) and, as volume, a brain of Debian's package
-mricron-data. The milliseconds are those of the mapper for four times as many pixels.
+It needs Pillow (Debian package python3-pil) and, unless a volume is named, Debian's package
+mricron-data. The milliseconds are the mapper's, for a picture larger than what is shown.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
 import sys
 from pathlib import Path
@@ -18,15 +17,15 @@ import numpy
 from PIL import Image, ImageDraw, ImageFont
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "Examples" / "Python"))
-from mistakes import run
+from mistakes import Arguments, run
 from scene import Scene
-from volumes import read_volume
+from volumes import number_from, read_volume
 
-HEAD = "/usr/share/mricron/templates/ch2bet.nii.gz"
+BRAIN = "/usr/share/mricron/templates/ch2bet.nii.gz"
 BACKGROUND = (255, 255, 255)
 INK = (90, 90, 90)
 MILLISECONDS = 70  # of a frame
-FINER = 2  # pixels of the mapper beside one of the film
+FINER = 2  # pixels of the mapper for one of the film, along each side
 MIDDLE = 0.58  # the share of each picture, along each side, that is shown
 
 
@@ -48,8 +47,8 @@ def picture(scene: Scene, move: tuple[str, float, float], size: int) -> Image.Im
     first = (whole - FINER * size) // 2
     middle = slice(first, first + FINER * size)
     drawn = planes.color[::-1][middle, middle]
-    share = drawn[..., 3:] / 255.0
-    colors = drawn[..., :3] + (1.0 - share) * numpy.array(BACKGROUND)  # multiplied by alpha already
+    # Colours are multiplied by alpha already.
+    colors = drawn[..., :3] + (1.0 - drawn[..., 3:] / 255.0) * numpy.array(BACKGROUND)
     image = Image.fromarray(colors.clip(0, 255).astype(numpy.uint8))
     image = image.resize((size, size), Image.LANCZOS)
     said = f"isovalue {isovalue:.3g}" if what == "isovalue" else f"turned to {azimuth % 360:.0f}\u00b0"
@@ -59,18 +58,21 @@ def picture(scene: Scene, move: tuple[str, float, float], size: int) -> Image.Im
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("volume", nargs="?", default=HEAD, help="an image (%(default)s)")
+    parser = Arguments(description=__doc__.splitlines()[0])
+    parser.add_argument("volume", nargs="?", default=BRAIN, help="an image (%(default)s)")
     parser.add_argument(
         "--from", dest="least", type=float, default=40.0,
-        help="the isovalue where the drag begins and that turns (%(default)s)")
+        help="the isovalue of the turn, where the drag begins and ends (%(default)s)")
     parser.add_argument(
-        "--to", dest="greatest", type=float, default=110.0, help="where the drag turns (%(default)s)")
+        "--to", dest="greatest", type=float, default=110.0,
+        help="the isovalue in the middle of the drag (%(default)s)")
     parser.add_argument(
         "--output", default=str(Path(__file__).resolve().parent / "Pictures" / "film.webp"),
         help="an animated picture: .webp, .gif or .png (%(default)s)")
-    parser.add_argument("--size", type=int, default=400, help="pixels along each side (%(default)s)")
-    parser.add_argument("--frames", type=int, default=48, help="of each move (%(default)s)")
+    parser.add_argument(
+        "--size", type=number_from(1, 10000), default=400, help="pixels along each side (%(default)s)")
+    parser.add_argument(
+        "--frames", type=number_from(1), default=48, help="of each move (%(default)s)")
     asked = parser.parse_args()
     scene = Scene(read_volume(asked.volume), asked.volume)
     scene.picture(asked.least, 30.0, (64, 64))  # the first frame looks at all samples

@@ -18,6 +18,10 @@ constexpr double LargestStep = 1.0 / 20.0;
 constexpr double MostSteps = 12.0, LeastSteps = 2.0;
 constexpr double WidestBand = 1.0 / 16.0; ///< as a share of the range
 
+/// A band with n isovalues is n - 0.99 steps wide: the hundredth keeps the last one inside if it is
+/// rounded.
+constexpr double AlmostOne = 0.99;
+
 /// Half the width of a band around an isovalue that does not move, as a share of the range.
 constexpr double HalfWidthAtRest = 1.0 / 1024.0;
 
@@ -25,9 +29,11 @@ constexpr double HalfWidthAtRest = 1.0 / 1024.0;
 /// high.
 constexpr double ShareToBuild = 1.0 / 12.0, ShareToTry = 1.0 / 48.0;
 
-/// Bands that read more cells than so many tracings do not pay. Building is tried again after a
-/// pause of so many frames.
-constexpr double MostPrice = 4.0;
+/// A later look-up in a band saves so much of a tracing. (It saves half, but not all bands are used
+/// to their end.)
+constexpr double GainOfLookUp = 0.25;
+
+/// Building is tried again after a pause of so many frames.
 constexpr int Pause = 8;
 
 /// The largest share of the allowed memory for the bands in use; their successors need the rest.
@@ -37,6 +43,12 @@ constexpr double MostMemory = 0.75;
 void Mix(double& mean, double now)
 {
   mean = mean > 0.0 ? 0.5 * (mean + now) : now;
+}
+
+/// Bands that read more cells than so many tracings do not pay.
+double MostPrice(double steps)
+{
+  return 1.0 + GainOfLookUp * (steps - 1.0);
 }
 
 }
@@ -61,20 +73,25 @@ ValueBand DragRule::BandFor(const Step& step) const
     const double half = HalfWidthAtRest * step.Range;
     return { std::max(isovalue - half, -most), std::min(isovalue + half, most) };
   }
-  // The band ends a hundredth of a step late, so that rounding does not exclude the last isovalue.
-  const double width =
-    std::max(moved, std::min((this->Steps - 0.99) * moved, WidestBand * step.Range));
+  const double width = std::max(1.0, this->StepsIn(step) - AlmostOne) * moved;
   return step.Before > isovalue ? ValueBand{ std::max(isovalue - width, -most), isovalue }
                                 : ValueBand{ isovalue, std::min(isovalue + width, most) };
 }
 
-std::size_t DragRule::GroupsToBuild(std::size_t groups) const
+double DragRule::StepsIn(const Step& step) const
+{
+  const double moved = std::abs(step.Isovalue - step.Before);
+  return moved > 0.0 ? std::clamp(WidestBand * step.Range / moved + AlmostOne, 1.0, this->Steps)
+                     : this->Steps;
+}
+
+std::size_t DragRule::GroupsToBuild(std::size_t groups, double steps) const
 {
   if (this->FramesToWait > 0)
   {
     return 0;
   }
-  const bool isWorthIt = this->Price > 0.0 && this->Price <= MostPrice;
+  const bool isWorthIt = this->Price > 0.0 && this->Price <= MostPrice(steps);
   const double share = isWorthIt ? ShareToBuild : ShareToTry;
   return static_cast<std::size_t>(std::ceil(share * static_cast<double>(groups)));
 }
@@ -90,9 +107,9 @@ void DragRule::Learn(const Outcome& frame)
   {
     const double cells = frame.CellsBuilt / static_cast<double>(frame.GroupsBuilt);
     Mix(this->Price, std::max(cells, 1.0) / this->CellsOfTracing);
-    this->FramesToWait = this->Price > MostPrice ? Pause : 0;
+    this->FramesToWait = this->Price > MostPrice(frame.Steps) ? Pause : 0;
     const double fitting = MostMemory / std::max(frame.MemoryShare, 1e-9);
-    this->Steps = std::clamp(this->Steps * std::min(fitting, 1.25), LeastSteps, MostSteps);
+    this->Steps = std::clamp(this->Steps * fitting, LeastSteps, MostSteps);
   }
 }
 

@@ -33,8 +33,12 @@ public:
   /// An isovalue at rest gets a narrow band around it.
   ValueBand BandFor(const Step& step) const;
 
+  /// Isovalues of the drag in the band of a step: one at least.
+  double StepsIn(const Step& step) const;
+
   /// How many of the groups of a picture the next frame may build.
-  std::size_t GroupsToBuild(std::size_t groups) const;
+  /// \param steps isovalues in the bands
+  std::size_t GroupsToBuild(std::size_t groups, double steps) const;
 
   /// The work of a frame.
   struct Outcome
@@ -43,11 +47,12 @@ public:
     double CellsBuilt = 0.0;  ///< cells read to build groups and to look them up
     double CellsTraced = 0.0; ///< cells read to trace groups
     double MemoryShare = 0.0; ///< bytes of such bands in all groups, relative to the allowed bytes
+    double Steps = 1.0;       ///< isovalues in such bands
   };
   void Learn(const Outcome& frame);
 
 private:
-  double Steps;                ///< isovalues in a band
+  double Steps;                ///< most isovalues in a band
   double CellsOfTracing = 0.0; ///< mean of a traced group; 0: unknown
   double Price = 0.0;          ///< cells of building, relative to tracing; 0: unknown
   int FramesToWait = 0;        ///< before anything is built again

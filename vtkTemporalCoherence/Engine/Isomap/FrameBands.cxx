@@ -62,8 +62,9 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
     this->Bands.push_back(state.Rule.BandFor(step));
     this->IsMissing.push_back(!map.Covers({ isovalue }));
     isJump |= this->IsMissing.back() && DragRule::IsJump(step);
+    this->Steps = std::min(this->Steps, state.Rule.StepsIn(step));
   }
-  const std::size_t most = isJump ? 0 : state.Rule.GroupsToBuild(map.Size());
+  const std::size_t most = isJump ? 0 : state.Rule.GroupsToBuild(map.Size(), this->Steps);
   if (most > 0 && !this->AreAllFound())
   {
     this->Choose(most);
@@ -295,6 +296,7 @@ void FrameBands::Finish()
       static_cast<double>(this->BytesBuilt.load()) / static_cast<double>(outcome.GroupsBuilt);
     outcome.MemoryShare = this->State.BytesOfBand * static_cast<double>(this->Work.size()) /
       std::max(static_cast<double>(this->RoomForAll()), 1.0);
+    outcome.Steps = this->Steps;
   }
   this->State.Rule.Learn(outcome);
   this->State.HasDropped |= this->IsFull && this->IsLimitedByUser();

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -104,6 +105,7 @@ private:
   std::vector<std::int64_t> CellsRead; ///< of each group
   std::vector<ValueBand> Bands;        ///< of each isovalue
   std::vector<bool> IsMissing;         ///< for each isovalue: some group has no band for it
+  double Steps = std::numeric_limits<double>::infinity(); ///< fewest isovalues in a band
   std::vector<std::unique_ptr<BandBuilder>> Builders;
   std::size_t RoomForGroup = 0;  ///< bytes for each new band
   bool HasRoomForBounds = false; ///< those that are missing

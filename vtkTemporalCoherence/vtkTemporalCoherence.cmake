@@ -235,6 +235,20 @@ set(bridge_files
 list(TRANSFORM bridge_files PREPEND "${module_directory}/Vtk/")
 list(TRANSFORM bridge_files APPEND ".cxx")
 
+# Kinds of vectors that kernels are not compiled for:
+# - those whose size is not known when they are compiled, as kernels keep vectors in arrays,
+# - those that gain nothing beside a kind that is there. Processors with SSSE3 but without SSE4 are of
+#   2006 and 2007; what AVX3_DL, AVX3_SPR and AVX10_2 add to AVX3, no kernel uses. AVX3_ZEN4 stays: it
+#   compresses vectors in another way, as the instruction for it is slow there.
+set(vectors_left_out HWY_SVE HWY_SVE2 HWY_SVE_256 HWY_SVE2_128 HWY_RVV HWY_SSSE3 HWY_AVX3_DL)
+if (hwy_VERSION VERSION_GREATER_EQUAL 1.2)
+  list(APPEND vectors_left_out HWY_AVX3_SPR)
+endif ()
+if (hwy_VERSION VERSION_GREATER_EQUAL 1.3)
+  list(APPEND vectors_left_out HWY_AVX10_2)
+endif ()
+list(JOIN vectors_left_out "|" vectors_left_out)
+
 # The module and the engine's own tests are made of two object libraries: the engine, and its room
 # Volumes, which the rest knows by a few headers only.
 add_library(TemporalCoherenceVolumes OBJECT ${volume_files})
@@ -245,9 +259,7 @@ foreach (library IN ITEMS TemporalCoherenceVolumes TemporalCoherenceEngine)
     POSITION_INDEPENDENT_CODE ON
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
-  # Vectors whose size is not known when they are compiled cannot be kept in arrays, as kernels do.
-  target_compile_definitions(${library} PUBLIC
-    "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
+  target_compile_definitions(${library} PUBLIC "HWY_DISABLED_TARGETS=(${vectors_left_out})")
   target_include_directories(${library} PUBLIC "$<BUILD_INTERFACE:${module_directory}/Engine>")
   target_link_libraries(${library} PUBLIC VTK::CommonCore glm::glm hwy::hwy)
 endforeach ()

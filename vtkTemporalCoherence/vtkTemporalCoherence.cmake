@@ -237,9 +237,10 @@ list(TRANSFORM bridge_files APPEND ".cxx")
 
 # Kinds of vectors that kernels are not compiled for:
 # - those whose size is not known when they are compiled, as kernels keep vectors in arrays,
-# - those that gain nothing beside a kind that is there. Processors with SSSE3 but without SSE4 are of
-#   2006 and 2007; what AVX3_DL, AVX3_SPR and AVX10_2 add to AVX3, no kernel uses. AVX3_ZEN4 stays: it
-#   compresses vectors in another way, as the instruction for it is slow there.
+# - those whose time to compile is worth more than what they may gain. SSSE3 serves processors without
+#   SSE4 (early Core 2 and Atom, Bobcat). AVX3_DL, AVX3_SPR and AVX10_2 add to AVX3 mostly what works
+#   on bytes and half floats; kernels compute mostly with wider numbers. AVX3_ZEN4 stays:
+#   it compresses vectors in another way, as the instruction for it is slow there.
 set(vectors_left_out HWY_SVE HWY_SVE2 HWY_SVE_256 HWY_SVE2_128 HWY_RVV HWY_SSSE3 HWY_AVX3_DL)
 if (hwy_VERSION VERSION_GREATER_EQUAL 1.2)
   list(APPEND vectors_left_out HWY_AVX3_SPR)

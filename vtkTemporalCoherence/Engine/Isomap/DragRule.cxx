@@ -29,8 +29,8 @@ constexpr double HalfWidthAtRest = 1.0 / 1024.0;
 /// high.
 constexpr double ShareToBuild = 1.0 / 12.0, ShareToTry = 1.0 / 48.0;
 
-/// A later look-up in a band saves so much of a tracing. (It saves half, but not all bands are used
-/// to their end.)
+/// The share of a tracing that each later look-up in a band is taken to save. It saves half, but
+/// not all bands are used to their end.
 constexpr double GainOfLookUp = 0.25;
 
 /// Building is tried again after a pause of so many frames.
@@ -45,7 +45,7 @@ void Mix(double& mean, double now)
   mean = mean > 0.0 ? 0.5 * (mean + now) : now;
 }
 
-/// Bands that read more cells than so many tracings do not pay.
+/// A band pays if building it reads at most the cells of so many tracings.
 double MostPrice(double steps)
 {
   return 1.0 + GainOfLookUp * (steps - 1.0);

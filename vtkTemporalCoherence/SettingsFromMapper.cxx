@@ -50,7 +50,7 @@ FrameRenderer::Options OptionsOf(Mapper* mapper)
 {
   FrameRenderer::Options options;
   options.SpaceLeaping = mapper->GetSpaceLeaping() != 0;
-  options.Reuse.ImageCache = mapper->GetReuseFrames() != 0;
+  options.Reuse.Frames = mapper->GetReuseFrames() != 0;
   options.Reuse.Isomap = mapper->GetIsomap() != 0;
   options.Reuse.RefineWhenStill = mapper->GetRefineWhenStill() != 0;
   options.Accuracy =

@@ -146,7 +146,7 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
 bool vtkTemporalCoherenceVolumeMapper::MakeImage(vtkRenderer* renderer, vtkVolume* volume,
   int width, int height, vtkImageData* color, vtkImageData* depth)
 {
-  return this->Internal->RenderToImages(renderer, volume, width, height, color, depth, nullptr);
+  return this->Internal->MakeImages(renderer, volume, width, height, color, depth, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -158,7 +158,7 @@ bool vtkTemporalCoherenceVolumeMapper::MakeImage(
     this->Internal->ReportOnce("MakeImage got null for the frame; give it a vtkImageData.");
     return false;
   }
-  return this->Internal->RenderToImages(renderer, volume, width, height, nullptr, nullptr, frame);
+  return this->Internal->MakeImages(renderer, volume, width, height, nullptr, nullptr, frame);
 }
 
 //------------------------------------------------------------------------------

@@ -84,7 +84,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
     return false;
   }
 
-  if (window && request.Key.Volume.IsOn() &&
+  if (window && request.Key.IsBlended() &&
     !this->EndAtOpaqueProps(renderer, volume, request, error))
   {
     this->ReportOnce(error);
@@ -122,7 +122,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::EndAtOpaqueProps(vtkRenderer* 
   try
   {
     request.ComparesDepths =
-      !TemporalCoherence::FindRayEnds(renderer, volume, key.View, key.Volume.Ends);
+      !TemporalCoherence::FindRayEnds(renderer, volume, key.View, key.Blended().Ends);
     return true;
   }
   catch (const std::exception&)
@@ -145,7 +145,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::MakeRequest(vtkVolume* volume,
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::Internals::RenderToImages(vtkRenderer* renderer,
+bool vtkTemporalCoherenceVolumeMapper::Internals::MakeImages(vtkRenderer* renderer,
   vtkVolume* volume, int width, int height, vtkImageData* color, vtkImageData* depth,
   vtkImageData* frame)
 {

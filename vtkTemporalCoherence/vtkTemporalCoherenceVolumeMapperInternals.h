@@ -102,7 +102,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
 
   /// Make a frame and write it into images, any of which may be null.
   /// \param frame receives all arrays
-  bool RenderToImages(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+  bool MakeImages(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
     vtkImageData* color, vtkImageData* depth, vtkImageData* frame);
 
   /// Make a frame.
@@ -158,12 +158,12 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameRequest& request)
   {
     const bool isAnythingAsked =
-      request.Key.Volume.IsOn() || !request.Key.Isosurfaces.Isovalues.empty();
+      request.Key.IsBlended() || !request.Key.Isosurfaces().Isovalues.empty();
     const std::string reason = isAnythingAsked
       ? this->Empties.Check(drawn, this->Frames.LastSamples(), this->Frames.LastRanges())
       : std::string();
     return !reason.empty() ? reason
-      : request.Key.Samples.HasCells() && !request.Key.Volume.IsOn() &&
+      : request.Key.Samples.HasCells() && !request.Key.IsBlended() &&
         !this->Empties.IsTold(drawn.Volume)
       ? this->Isovalues.Check(drawn, request, this->Frames.LastRanges())
       : std::string();

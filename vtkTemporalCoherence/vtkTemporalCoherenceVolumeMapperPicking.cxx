@@ -112,7 +112,7 @@ vtkTemporalCoherenceVolumeMapper::Internals::FindOnLine(
   if (this->Requests.Make(
         this->Self, TemporalCoherence::SettingsOf(this->Self), volume, {}, request, error))
   {
-    if (request.Key.Volume.IsOn())
+    if (request.Key.IsBlended())
     {
       error = "IntersectWithLine finds isosurfaces only; call SetBlendModeToIsoSurface(), or pick "
               "in the last frame with PickPixel.";

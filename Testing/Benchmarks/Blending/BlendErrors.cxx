@@ -71,7 +71,7 @@ FrameKey KeyOf(const Stage& stage, const BlendLooks::Look& look, int mode)
     error);
   Check(MakeIndexTransform(stage.Image, false, stage.Volume, key.Transform, error), error);
   Check(MakeView(stage.Renderer, glm::ivec2(stage.Size), 1.0, key.View, error), error);
-  key.Volume.Mode =
+  key.Shown.emplace<Blending>().Mode =
     mode == vtkVolumeMapper::COMPOSITE_BLEND ? BlendMode::Composite : BlendMode::Maximum;
   ComponentLook component;
   component.Transfer = TransferOf(look);
@@ -79,7 +79,7 @@ FrameKey KeyOf(const Stage& stage, const BlendLooks::Look& look, int mode)
   component.UnitDistance = property->GetScalarOpacityUnitDistance();
   component.Material = { property->GetShade() != 0, property->GetAmbient(), property->GetDiffuse(),
     property->GetSpecular(), property->GetSpecularPower() };
-  key.Volume.Looks = { component };
+  key.Blended().Looks = { component };
   // A headlight.
   Light light;
   const double* direction = stage.Renderer->GetActiveCamera()->GetDirectionOfProjection();

@@ -41,11 +41,11 @@ struct KernelScene
       { return 120.0 + 100.0 * std::sin(0.1 * i) * std::cos(0.125 * j) * std::sin(0.15 * k); });
     this->Pyramid.Build(this->Waves.Field);
     this->Key.Samples = this->Waves.Field;
-    this->Key.Isosurfaces.Isovalues = { Isovalue };
+    this->Key.EditIsosurfaces().Isovalues = { Isovalue };
     this->Key.View = LookAt(this->Waves.Field.Dimensions, { 1.0, 2.0, 0.7 }, { Pixels, Pixels });
-    this->Active.Build(this->Key.Samples, this->Pyramid, this->Key.Isosurfaces);
+    this->Active.Build(this->Key.Samples, this->Pyramid, this->Key.Isosurfaces());
     this->Scene.Samples = this->Key.Samples;
-    this->Scene.Isosurfaces = this->Key.Isosurfaces;
+    this->Scene.Isosurfaces = this->Key.Isosurfaces();
     this->Scene.FiniteRange = this->Pyramid.FiniteRange();
     this->Scene.Active = &this->Active;
     this->FindFullTiles();

@@ -31,7 +31,7 @@ template <typename T>
 GradientQuery QueryOf(const KernelScene<T>& scene)
 {
   return { scene.Key.Samples, glm::dmat4(1.0), scene.Scene.FiniteRange,
-    &scene.Key.Isosurfaces.Isovalues };
+    &scene.Key.Isosurfaces().Isovalues };
 }
 
 RayBatch::Array<std::int16_t> FirstSurface()

@@ -48,7 +48,7 @@ void RegisterFor(const std::string& type)
         [](const KernelScene<T>& scene)
         {
           ActiveCells active;
-          active.Build(scene.Key.Samples, scene.Pyramid, scene.Key.Isosurfaces);
+          active.Build(scene.Key.Samples, scene.Pyramid, scene.Key.Isosurfaces());
         });
     });
 }

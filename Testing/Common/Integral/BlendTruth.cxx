@@ -77,12 +77,12 @@ glm::dvec4 BlendTruth::At(int x, int y) const
   const Line line{ ray.Origin, ray.Direction, glm::dvec3(toIndex * glm::dvec4(ray.Origin, 1.0)),
     glm::dvec3(toIndex * glm::dvec4(ray.Direction, 0.0)) };
   const auto pixel = static_cast<std::size_t>(y * this->Key.View.Size.x + x);
-  const auto& ends = this->Key.Volume.Ends;
+  const auto& ends = this->Key.Blended().Ends;
   double entry = 0.0;
   const std::vector<Part> kept = this->KeptOf(line, ends ? (*ends)[pixel] : Infinity, entry);
   Sums sums;
   sums.IsAnyKept = !kept.empty();
-  if (this->Key.Volume.SampleDistance > 0.0)
+  if (this->Key.Blended().SampleDistance > 0.0)
   {
     this->AddSamples(line, kept, entry, sums);
   }
@@ -209,7 +209,7 @@ std::vector<double> BlendTruth::BreaksOf(
       { return this->Field.ValueAt(cell, c, line.At(t).Index); },
       part, this->Bends[c], breaks);
   }
-  const bool isLit = this->Key.Volume.Mode == BlendMode::Composite && !this->Field.IsNearest();
+  const bool isLit = this->Key.Blended().Mode == BlendMode::Composite && !this->Field.IsNearest();
   for (std::size_t c = 0; c < this->Look.Parts() && isLit; ++c)
   {
     const std::vector<double> bends = this->Look.GradientBends(c);
@@ -227,7 +227,7 @@ std::vector<double> BlendTruth::BreaksOf(
 void BlendTruth::AddCell(
   const Line& line, const BlendTruthField::Cell& cell, const Part& part, Sums& sums) const
 {
-  const BlendMode mode = this->Key.Volume.Mode;
+  const BlendMode mode = this->Key.Blended().Mode;
   const std::vector<double> breaks = this->BreaksOf(line, cell, part);
   if (mode == BlendMode::Maximum || mode == BlendMode::Minimum)
   {
@@ -251,7 +251,7 @@ void BlendTruth::AddCell(
 void BlendTruth::AddPart(
   const Line& line, const BlendTruthField::Cell& cell, const Part& part, Sums& sums) const
 {
-  if (this->Key.Volume.Mode != BlendMode::Composite)
+  if (this->Key.Blended().Mode != BlendMode::Composite)
   {
     this->AddShares(line, cell, part, sums);
     return;
@@ -311,7 +311,7 @@ BlendTruth::Veil BlendTruth::VeilWithin(const Line& line, const BlendTruthField:
 void BlendTruth::AddShares(
   const Line& line, const BlendTruthField::Cell& cell, const Part& part, Sums& sums) const
 {
-  const Blending& volume = this->Key.Volume;
+  const Blending& volume = this->Key.Blended();
   const double length = part.End - part.Begin;
   const std::array<double, 4> middle = this->ValuesAt(line, cell, part.Begin + 0.5 * length);
   for (std::size_t c = 0; c < this->Look.Parts(); ++c)
@@ -337,13 +337,13 @@ void BlendTruth::AddShares(
 /// Take values into account, for Maximum and Minimum.
 void BlendTruth::AddValues(const std::array<double, 4>& values, Sums& sums) const
 {
-  const bool isMaximum = this->Key.Volume.Mode == BlendMode::Maximum;
+  const bool isMaximum = this->Key.Blended().Mode == BlendMode::Maximum;
   const auto isBeyond = [&](std::size_t c)
   {
     return !sums.HasValues ||
       (isMaximum ? values[c] > sums.Extremes[c] : values[c] < sums.Extremes[c]);
   };
-  if (this->Key.Volume.Use == ComponentUse::Independent)
+  if (this->Key.Blended().Use == ComponentUse::Independent)
   {
     for (std::size_t c = 0; c < this->Field.Components(); ++c)
     {
@@ -361,7 +361,7 @@ void BlendTruth::AddValues(const std::array<double, 4>& values, Sums& sums) cons
 void BlendTruth::AddSamples(
   const Line& line, const std::vector<Part>& kept, double entry, Sums& sums) const
 {
-  const Blending& volume = this->Key.Volume;
+  const Blending& volume = this->Key.Blended();
   const double step = volume.SampleDistance;
   BlendTruthField::Cell cell;
   auto part = kept.begin();
@@ -402,7 +402,7 @@ void BlendTruth::AddSamples(
 
 glm::dvec4 BlendTruth::ColorOf(const Sums& sums) const
 {
-  const BlendMode mode = this->Key.Volume.Mode;
+  const BlendMode mode = this->Key.Blended().Mode;
   if (mode == BlendMode::Composite)
   {
     return glm::dvec4(sums.Seen.Color, 1.0 - sums.Seen.Passed);

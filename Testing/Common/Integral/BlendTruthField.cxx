@@ -38,7 +38,7 @@ T Interpolate(const std::array<T, 8>& corners, const glm::dvec3& share)
 BlendTruthField::BlendTruthField(const FrameKey& key, const GridCoordinates* coordinates)
   : Fields{ key.Samples }
 {
-  this->Fields.insert(this->Fields.end(), key.Volume.Others.begin(), key.Volume.Others.end());
+  this->Fields.insert(this->Fields.end(), key.Blended().Others.begin(), key.Blended().Others.end());
   for (std::size_t a = 0; a < 3; ++a)
   {
     const auto axis = static_cast<int>(a);

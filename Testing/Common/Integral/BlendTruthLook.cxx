@@ -70,18 +70,18 @@ BlendTruthLook::BlendTruthLook(const FrameKey& key, const BlendTruthField& field
 
 std::size_t BlendTruthLook::Parts() const
 {
-  return this->Key.Volume.Use == ComponentUse::Independent ? this->Field.Components() : 1;
+  return this->Key.Blended().Use == ComponentUse::Independent ? this->Field.Components() : 1;
 }
 
 const ComponentLook& BlendTruthLook::LookOf(std::size_t component) const
 {
-  const std::vector<ComponentLook>& looks = this->Key.Volume.Looks;
+  const std::vector<ComponentLook>& looks = this->Key.Blended().Looks;
   return looks[std::min(component, looks.size() - 1)];
 }
 
 std::vector<double> BlendTruthLook::Bends(std::size_t component) const
 {
-  const Blending& volume = this->Key.Volume;
+  const Blending& volume = this->Key.Blended();
   std::vector<double> bends{ volume.AverageRange.x, volume.AverageRange.y };
   AddBends(this->LookOf(component).Transfer, bends);
   if (component < volume.ScalarRanges.size())
@@ -98,7 +98,7 @@ std::vector<double> BlendTruthLook::Bends(std::size_t component) const
 glm::dvec4 BlendTruthLook::ColorOf(std::size_t component, const std::array<double, 4>& values) const
 {
   const TransferFunction& transfer = this->LookOf(component).Transfer;
-  switch (this->Key.Volume.Use)
+  switch (this->Key.Blended().Use)
   {
     case ComponentUse::Independent:
       return NodeAt(transfer, values[component]);
@@ -110,7 +110,7 @@ glm::dvec4 BlendTruthLook::ColorOf(std::size_t component, const std::array<doubl
   glm::dvec4 color(0.0, 0.0, 0.0, NodeAt(transfer, values[3]).w);
   for (std::size_t c = 0; c < 3; ++c)
   {
-    const glm::dvec2& range = this->Key.Volume.ScalarRanges[c];
+    const glm::dvec2& range = this->Key.Blended().ScalarRanges[c];
     color[static_cast<int>(c)] = std::clamp((values[c] - range.x) / (range.y - range.x), 0.0, 1.0);
   }
   return color;
@@ -131,7 +131,7 @@ glm::dvec4 BlendTruthLook::BlendedColorOf(const std::array<double, 4>& values) c
 double BlendTruthLook::WeighedShareOf(
   std::size_t component, const std::array<double, 4>& values) const
 {
-  const glm::dvec2& range = this->Key.Volume.ScalarRanges[component];
+  const glm::dvec2& range = this->Key.Blended().ScalarRanges[component];
   const double share = (values[component] - range.x) / (range.y - range.x);
   return this->ColorOf(component, values).w * share;
 }
@@ -139,7 +139,7 @@ double BlendTruthLook::WeighedShareOf(
 /// Dependent components have one gradient: that of the first, or of the opacity beside a colour.
 std::size_t BlendTruthLook::GradientComponent(std::size_t component) const
 {
-  return this->Key.Volume.Use == ComponentUse::RgbOpacity ? 3 : component;
+  return this->Key.Blended().Use == ComponentUse::RgbOpacity ? 3 : component;
 }
 
 std::vector<double> BlendTruthLook::GradientBends(std::size_t component) const

@@ -89,10 +89,18 @@ void TestFlatCells()
 {
   using Point = std::array<double, 3>;
   const std::array<std::function<Point(const Point&)>, 4> places = {
-    [](const Point&) { return Point{ 1.0, 2.0, 3.0 }; },
-    [](const Point& p) { return Point{ p[0] + p[1], 2.0 * (p[0] + p[1]), 0.5 }; },
-    [](const Point& p) { return Point{ p[0], p[1], 0.25 }; },
-    [](const Point& p) { return Point{ p[0] + p[2], p[1], 0.3 * (p[0] + p[2]) - 1.7 * p[1] }; },
+    [](const Point&) {
+      return Point{ 1.0, 2.0, 3.0 };
+    },
+    [](const Point& p) {
+      return Point{ p[0] + p[1], 2.0 * (p[0] + p[1]), 0.5 };
+    },
+    [](const Point& p) {
+      return Point{ p[0], p[1], 0.25 };
+    },
+    [](const Point& p) {
+      return Point{ p[0] + p[2], p[1], 0.3 * (p[0] + p[2]) - 1.7 * p[1] };
+    },
   };
   for (std::size_t shape = 0; shape < places.size(); ++shape)
   {

@@ -33,7 +33,7 @@ protected:
     FrameKey key;
     key.Samples = this->Samples.Field;
     key.View = LookAt(this->Samples.Field.Dimensions, direction, { 90, 70 });
-    key.Isosurfaces.Isovalues = { isovalue };
+    key.EditIsosurfaces().Isovalues = { isovalue };
     key.Appearance.Colors = { { 1.0, 0.5, 0.2 } };
     return key;
   }

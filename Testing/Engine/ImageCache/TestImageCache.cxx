@@ -20,7 +20,7 @@ FrameKey KeyFrom(const glm::dvec3& direction)
 {
   FrameKey key;
   key.Samples.Dimensions = Dimensions;
-  key.Isosurfaces.Isovalues = { 5.0 };
+  key.EditIsosurfaces().Isovalues = { 5.0 };
   key.View = LookAt(Dimensions, direction, { 64, 64 });
   return key;
 }
@@ -106,7 +106,7 @@ TEST(ImageCache, ImagesThatCannotServeArePassedOver)
   options.NumberOfImages = 2;
   const auto low = ImageFrom({ 1.0, 0.0, 0.0 });
   const auto high = ImageFrom({ 0.9, 0.1, 0.0 });
-  high->Key.Isosurfaces.Isovalues[0] = 9.0;
+  high->Key.EditIsosurfaces().Isovalues[0] = 9.0;
   cache.Keep(low, options);
   cache.Keep(high, options);
   FrameKey next = KeyFrom({ 0.9, 0.11, 0.0 });

@@ -33,7 +33,7 @@ protected:
     this->Samples.Fill([this](int i, int j, int k)
       { return Radius - glm::distance(glm::dvec3(i, j, k), this->Centre); });
     this->Key.Samples = this->Samples.Field;
-    this->Key.Isosurfaces.Isovalues = { 0.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 0.0 };
     this->Key.Appearance.Colors = { glm::dvec3(1.0) };
   }
 

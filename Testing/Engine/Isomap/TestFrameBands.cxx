@@ -52,7 +52,7 @@ protected:
       [](int i, int j, int k) { return 100.0 + 60.0 * std::sin(0.4 * i + 0.3 * j) + 3.0 * k; });
     this->Key.Samples = this->Field.Field;
     this->Key.View = LookAt(this->Field.Field.Dimensions, { 1.0, 2.0, 0.7 }, Size);
-    this->Key.Isosurfaces.Isovalues = { this->At(0.2) };
+    this->Key.EditIsosurfaces().Isovalues = { this->At(0.2) };
     this->Pyramid.Build(this->Key.Samples);
   }
 
@@ -66,8 +66,8 @@ protected:
   /// Make the frame of the next isovalues.
   Made Show(const std::vector<double>& isovalues)
   {
-    const std::vector<double> before = this->Key.Isosurfaces.Isovalues;
-    this->Key.Isosurfaces.Isovalues = isovalues;
+    const std::vector<double> before = this->Key.Isosurfaces().Isovalues;
+    this->Key.EditIsosurfaces().Isovalues = isovalues;
     const BandSource source = this->Source();
     EXPECT_EQ(this->Builder.Prepare(source, this->Options, {}), Isomap::Outcome::Built);
     FrameBands bands(
@@ -125,7 +125,7 @@ TEST_F(FrameBandsTest, NoFrameCostsMuchMoreThanACold)
           testing::Message() << "build " << build << " look-up " << lookUp << " step " << step);
         this->Price = { 1000, lookUp, build };
         this->Builder = IsomapBuilder();
-        this->Key.Isosurfaces.Isovalues = { this->At(0.1) };
+        this->Key.EditIsosurfaces().Isovalues = { this->At(0.1) };
         for (int i = 1; i <= 40; ++i)
         {
           const double share = std::fmod(0.1 + step * i, 1.6);
@@ -175,7 +175,7 @@ TEST_F(FrameBandsTest, WhatNeverPaysIsHardlyTried)
   {
     this->Price = price;
     this->Builder = IsomapBuilder();
-    this->Key.Isosurfaces.Isovalues = { this->At(0.1) };
+    this->Key.EditIsosurfaces().Isovalues = { this->At(0.1) };
     double cost = 0.0;
     for (int i = 1; i <= 60; ++i)
     {
@@ -201,7 +201,7 @@ TEST_F(FrameBandsTest, NothingIsBuiltForAJump)
 
 TEST_F(FrameBandsTest, OfSeveralIsovaluesOneMoves)
 {
-  this->Key.Isosurfaces.Isovalues = { this->At(0.2), this->At(0.7) };
+  this->Key.EditIsosurfaces().Isovalues = { this->At(0.2), this->At(0.7) };
   Made made;
   for (int i = 1; i <= 40; ++i)
   {
@@ -218,7 +218,7 @@ TEST_F(FrameBandsTest, MemoryStaysWithinItsLimits)
   {
     this->Builder = IsomapBuilder();
     this->Options.MemoryLimit = limit;
-    this->Key.Isosurfaces.Isovalues = { this->At(0.1) };
+    this->Key.EditIsosurfaces().Isovalues = { this->At(0.1) };
     std::size_t most = 0;
     for (int i = 1; i <= 150; ++i)
     {
@@ -280,7 +280,7 @@ TEST_F(FrameBandsTest, WhatIsNoLongerAskedForMakesRoom)
     this->Builder = IsomapBuilder();
     this->Options = Isomap::Options();
     this->Options.Range = { this->At(0.6), this->At(0.9) };
-    this->Key.Isosurfaces.Isovalues = { this->At(0.7) };
+    this->Key.EditIsosurfaces().Isovalues = { this->At(0.7) };
     const auto prepare = [&]
     {
       return isAhead ? this->Builder.BuildAhead(this->Source(), this->Options, {})
@@ -291,7 +291,7 @@ TEST_F(FrameBandsTest, WhatIsNoLongerAskedForMakesRoom)
     this->Options.MemoryLimit = this->Builder.Built().MemoryInBytes();
 
     // As long as it is asked for, it stays.
-    this->Key.Isosurfaces.Isovalues = { this->At(0.1) };
+    this->Key.EditIsosurfaces().Isovalues = { this->At(0.1) };
     for (int i = 1; i <= 10; ++i)
     {
       this->Show({ this->At(0.1 + 0.005 * i) });
@@ -324,7 +324,7 @@ TEST_F(FrameBandsTest, TheChoiceDoesNotDependOnThreads)
     for (std::vector<std::vector<GroupWork>>& ofTurn : works)
     {
       this->Builder = IsomapBuilder();
-      this->Key.Isosurfaces.Isovalues = { this->At(0.2) };
+      this->Key.EditIsosurfaces().Isovalues = { this->At(0.2) };
       for (int i = 1; i <= 30; ++i)
       {
         ofTurn.push_back(this->Show({ this->At(0.2 + 0.003 * i) }).Work);

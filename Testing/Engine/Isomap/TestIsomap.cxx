@@ -50,7 +50,7 @@ protected:
   /// Render isovalues as they come, and cold.
   void RenderBoth(FrameKey& key, const std::vector<double>& isovalues, FrameRenderer& cold)
   {
-    key.Isosurfaces.Isovalues = isovalues;
+    key.EditIsosurfaces().Isovalues = isovalues;
     key.Appearance.Colors.assign(isovalues.size(), glm::dvec3(0.9, 0.6, 0.3));
     ASSERT_TRUE(this->Renderer.Render(key, this->Options));
     cold.Render(key, {});
@@ -156,7 +156,7 @@ TEST_F(IsomapTest, IsTheColdPictureForAnyIsovalue)
         SCOPED_TRACE(testing::Message()
           << "type " << static_cast<int>(key.Samples.Type) << " mode " << static_cast<int>(mode)
           << " between " << static_cast<int>(between));
-        key.Isosurfaces.Mode = mode;
+        key.EditIsosurfaces().Mode = mode;
         key.Samples.Between = between;
         this->Sweep(key, 20.0, 220.0);
       }
@@ -187,7 +187,7 @@ TEST_F(IsomapTest, HiddenCellsAndPiecesOfImagesAndGrids)
             << static_cast<int>(between));
           key.Samples.Flagged = SomeHidden(key.Samples.Dimensions);
           key.Samples.Between = between;
-          key.Isosurfaces.Mode = mode;
+          key.EditIsosurfaces().Mode = mode;
           if (isRectilinear)
           {
             key.Samples.Shape = RectilinearKind(Stretched(key.Samples.Dimensions, 5.0, 7));
@@ -217,7 +217,7 @@ TEST_F(IsomapTest, SeveralIsovalues)
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     FrameKey key = KeyOf(bytes);
-    key.Isosurfaces.Mode = mode;
+    key.EditIsosurfaces().Mode = mode;
     this->Show(key, { 150.0, 90.0 });
     this->Show(key, { 149.0, 90.0 });
     this->Show(key, { 148.0, 91.0, 200.0 });
@@ -288,10 +288,10 @@ TEST_F(IsomapTest, ABuildThatIsStoppedLeavesTheLastFrame)
     FrameKey key = KeyOf(bytes);
     this->Show(key, { 120.0 });
     const Frame before = this->Renderer.LastFrame();
-    key.Isosurfaces.Isovalues = { 121.0 };
+    key.EditIsosurfaces().Isovalues = { 121.0 };
     EXPECT_FALSE(this->Renderer.Render(key, this->Options, [](double) { return false; }));
     EXPECT_TRUE(IsSamePlane(this->Renderer.LastFrame().Depth, before.Depth));
-    EXPECT_EQ(this->Renderer.LastKey().Isosurfaces.Isovalues[0], 120.0);
+    EXPECT_EQ(this->Renderer.LastKey().Isosurfaces().Isovalues[0], 120.0);
     EXPECT_EQ(this->Renderer.IsomapOfLastView().MemoryInBytes(), 0u);
     this->Show(key, { 121.0 });
     EXPECT_GT(this->Renderer.IsomapOfLastView().MemoryInBytes(), 0u);
@@ -308,7 +308,7 @@ TEST_F(IsomapTest, WithAToleranceSurfacesAreThatNear)
   {
     for (FrameKey key : { KeyOf(bytes), KeyOf(noise) })
     {
-      key.Isosurfaces.Mode = mode;
+      key.EditIsosurfaces().Mode = mode;
       for (const double tolerance : { 0.05, 0.3, 1.0 })
       {
         this->Options.Map.Tolerance = tolerance;
@@ -367,7 +367,7 @@ TEST_F(IsomapTest, InfiniteSamplesBehindSaturatedOnes)
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     FrameKey key = KeyOf(grid);
-    key.Isosurfaces.Mode = mode;
+    key.EditIsosurfaces().Mode = mode;
     this->Options.Map.Range = { 0.0, 200.0 };
     for (const double isovalue : { 50.0, 60.0, 150.0, 101.0, 100.0, 0.0 })
     {
@@ -387,7 +387,7 @@ TEST_F(IsomapTest, AnyMagnitudeOfSamples)
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
     {
       FrameKey key = KeyOf(grid);
-      key.Isosurfaces.Mode = mode;
+      key.EditIsosurfaces().Mode = mode;
       for (const double share : { 0.0, 1.0, 5.0, -3.0, 40.0, 39.0 })
       {
         this->Show(key, { scale * share });

@@ -40,7 +40,7 @@ struct NoiseView
     this->Noise.FillRandomly(20.0, 220.0, 3);
     this->Key.Samples = this->Noise.Field;
     this->Key.View = LookAt(this->Noise.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 93, 71 });
-    this->Key.Isosurfaces.Isovalues = { 100.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 100.0 };
     this->Pyramid.Build(this->Key.Samples);
   }
 
@@ -221,7 +221,7 @@ TEST(IsomapLimits, RangesThatTakeTurnsAreTriedOnce)
   EXPECT_FALSE(builder.IsTooLarge());
   ASSERT_TRUE(builder.Built().Holds(small));
 
-  view.Key.Isosurfaces.Isovalues = { 120.0 };
+  view.Key.EditIsosurfaces().Isovalues = { 120.0 };
   EXPECT_EQ(attempts({ 30.0, 200.0 }), 0u);
   EXPECT_TRUE(builder.Built().Holds(small)) << "nothing was dropped for it";
   options.MemoryLimit = Plenty;

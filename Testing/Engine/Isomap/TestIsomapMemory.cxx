@@ -35,7 +35,7 @@ protected:
       { return i % 4 == 1 && k % 4 == 2 ? std::nan("") : 10.0 * std::sin(0.3 * i) + j; });
     this->Key.Samples = this->Samples.Field;
     this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 93, 71 });
-    this->Key.Isosurfaces.Isovalues = { 10.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 10.0 };
     this->Key.Appearance.Colors = { glm::dvec3(0.9, 0.6, 0.3) };
   }
   ~IsomapMemory() override { vtkSMPTools::SetBackend(this->Before.c_str()); }
@@ -125,9 +125,9 @@ TEST_F(IsomapMemory, OfAFrameIsCounted)
     [&]
     {
       renderer.Release();
-      this->Key.Isosurfaces.Isovalues = { 10.0 };
+      this->Key.EditIsosurfaces().Isovalues = { 10.0 };
       renderer.Render(this->Key, options);
-      this->Key.Isosurfaces.Isovalues = { 10.1 };
+      this->Key.EditIsosurfaces().Isovalues = { 10.1 };
     },
     [&]
     {

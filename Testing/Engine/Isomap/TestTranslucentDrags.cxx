@@ -22,7 +22,7 @@ class TranslucentDrags : public OpacityChanges
 {
 protected:
   /// Without image cache other opacities are looked up, too, not composited again.
-  TranslucentDrags() { this->Options.Reuse.ImageCache = false; }
+  TranslucentDrags() { this->Options.Reuse.Frames = false; }
 
   /// Drag isovalues, and now and then change opacities, colours, or jump.
   void Drag(unsigned int seed, int steps = 14)
@@ -32,7 +32,7 @@ protected:
     this->Render("first");
     for (int step = 0; step < steps; ++step)
     {
-      std::vector<double>& isovalues = this->Key.Isosurfaces.Isovalues;
+      std::vector<double>& isovalues = this->Key.EditIsosurfaces().Isovalues;
       const auto change = engine() % 8;
       if (change == 0)
       {
@@ -68,7 +68,7 @@ TEST_F(TranslucentDrags, AreColdFrames)
 {
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     this->Drag(1);
   }
   this->Key.View = LookAt(Dimensions, { 1.0, 0.2, 0.7 }, { 60, 50 }, true);
@@ -78,19 +78,19 @@ TEST_F(TranslucentDrags, AreColdFrames)
 
 TEST_F(TranslucentDrags, UseARangeThatIsBuiltAtOnce)
 {
-  this->Key.Isosurfaces.Isovalues = { 20.0 };
+  this->Key.EditIsosurfaces().Isovalues = { 20.0 };
   this->Options.Map.Range = { 15.0, 35.0 };
   this->SetOpacity(0.4);
   this->Render("first");
   for (int step = 1; step <= 10; ++step)
   {
-    this->Key.Isosurfaces.Isovalues = { 20.0 + step };
+    this->Key.EditIsosurfaces().Isovalues = { 20.0 + step };
     this->Render("step", step == 1 ? Route::IsomapBuild : Route::IsomapLookup);
     EXPECT_LT(this->Statistics().TracedRays, this->Statistics().Rays / 50);
     EXPECT_GT(this->Statistics().Layers, 3000);
   }
-  this->Key.Isosurfaces.Opacities.clear();
-  this->Key.Isosurfaces.Isovalues = { 31.5 };
+  this->Key.EditIsosurfaces().Opacities.clear();
+  this->Key.EditIsosurfaces().Isovalues = { 31.5 };
   this->Render("opaque, in the same isomap", Route::IsomapLookup);
 }
 
@@ -106,9 +106,9 @@ TEST_F(TranslucentDrags, AreExactWhateverTheToleranceIs)
 
 TEST_F(TranslucentDrags, OfOpacityByGradientsAndDeepLayers)
 {
-  this->Key.Isosurfaces.ByGradient.Nodes = { { 5.0, 0.0 }, { 30.0, 0.2 } };
+  this->Key.EditIsosurfaces().ByGradient.Nodes = { { 5.0, 0.0 }, { 30.0, 0.2 } };
   this->Drag(4);
-  this->Key.Isosurfaces.ByGradient.Nodes.clear();
+  this->Key.EditIsosurfaces().ByGradient.Nodes.clear();
   this->Samples.FillRandomly(-100.0, 100.0, 8); // more layers than a pass finds
   this->Key.Samples.Stamp += 1;
   this->Options.Map.Range = { -70.0, 70.0 };
@@ -122,7 +122,7 @@ TEST_F(TranslucentDrags, OfRegionsHiddenCellsGridsAndNearestSamples)
   this->Options.Map.Range = { -70.0, 70.0 }; // all is looked up, however fast the machine is
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     this->Key.Samples = this->Samples.Field;
     this->Drag(6, 8);
     this->HideSomeCells();

@@ -47,7 +47,7 @@ protected:
     this->Key.Samples.Type = ScalarType::Float64;
     this->Key.Samples.Dimensions = { 60, 50, 43 };
     this->Key.Samples.Shape = std::make_shared<FunctionKind>(Waves());
-    this->Key.Isosurfaces.Isovalues = { 0.5 };
+    this->Key.EditIsosurfaces().Isovalues = { 0.5 };
     this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 } };
     this->Key.Appearance.Shade = true;
     this->Key.Appearance.Lights = { Light() };
@@ -99,7 +99,7 @@ protected:
     const double step = (ends.y - ends.x) / steps;
     const SmoothFunction waves = Waves();
     const auto at = [&](double t)
-    { return waves.Value(ray.Origin + t * ray.Direction) - this->Key.Isosurfaces.Isovalues[0]; };
+    { return waves.Value(ray.Origin + t * ray.Direction) - this->Key.Isosurfaces().Isovalues[0]; };
     met.BeginsInside = at(ends.x) >= 0.0;
     double before = at(ends.x), here = before;
     for (int i = 0; i < steps; ++i)
@@ -119,7 +119,7 @@ protected:
           const double middle = 0.5 * (low + high);
           ((at(middle) >= 0.0) == inside ? low : high) = middle;
         }
-        if (!inside || this->Key.Isosurfaces.Mode == SurfaceMode::Crossing)
+        if (!inside || this->Key.Isosurfaces().Mode == SurfaceMode::Crossing)
         {
           met.Crossings.push_back(high);
         }
@@ -137,7 +137,7 @@ TEST_F(FunctionFrames, ColdIsBruteForce)
 {
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     for (const bool parallel : { false, true })
     {
       this->LookFrom({ 1.0, 2.0, 0.7 }, parallel);
@@ -194,11 +194,11 @@ TEST_F(FunctionFrames, LeapingChangesNothing)
 {
   FrameRenderer::Options plain;
   plain.SpaceLeaping = false;
-  this->Key.Isosurfaces.Isovalues = { 0.5, -0.3 };
+  this->Key.EditIsosurfaces().Isovalues = { 0.5, -0.3 };
   this->Key.Appearance.Colors.resize(2);
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     EXPECT_TRUE(ShowTheSame(this->Cold(), this->Cold(plain)));
   }
 }
@@ -216,14 +216,14 @@ TEST_F(FunctionFrames, RoutesGiveTheColdPicture)
   };
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     expectRoute(Route::Cold);
     expectRoute(Route::Redisplay);
     this->Key.Appearance.Ambient += 0.1;
     expectRoute(Route::Reshade);
-    this->Key.Isosurfaces.Isovalues[0] += 0.05;
+    this->Key.EditIsosurfaces().Isovalues[0] += 0.05;
     expectRoute(Route::Cold);
-    this->Key.Isosurfaces.Isovalues[0] -= 0.1;
+    this->Key.EditIsosurfaces().Isovalues[0] -= 0.1;
     expectRoute(Route::Cold);
     this->LookFrom({ 1.0, 1.8, mode == SurfaceMode::Crossing ? 0.7 : 0.8 });
     expectRoute(Route::Cold);
@@ -242,16 +242,16 @@ TEST_F(FunctionFrames, DataThatMemoryEndsForLeavesTheOldToBeDrawn)
   nothing.Value = [](const glm::dvec3&) -> double { throw std::bad_alloc(); };
   failing.Samples.Shape = std::make_shared<FunctionKind>(nothing);
   this->Key.Samples = grid.Field;
-  this->Key.Isosurfaces.Isovalues = { 15.0 };
+  this->Key.EditIsosurfaces().Isovalues = { 15.0 };
   FrameRenderer::Options options;
   options.Map.Range = { 10.0, 20.0 };
   FrameRenderer renderer;
   renderer.Render(this->Key, options);
-  this->Key.Isosurfaces.Isovalues[0] = 15.5;
+  this->Key.EditIsosurfaces().Isovalues[0] = 15.5;
   renderer.Render(this->Key, options);
   EXPECT_EQ(renderer.Statistics().Made, Route::IsomapBuild);
   EXPECT_THROW(renderer.Render(failing, options), std::bad_alloc);
-  this->Key.Isosurfaces.Isovalues[0] = 16.0;
+  this->Key.EditIsosurfaces().Isovalues[0] = 16.0;
   renderer.Render(this->Key, options);
   const Frame cold = this->Cold();
   EXPECT_EQ(renderer.LastFrame().Depth, cold.Depth);
@@ -285,7 +285,7 @@ TEST_F(FunctionFrames, MovingCameraUsesTheLastPicture)
 
 TEST_F(FunctionFrames, LayersAreAllCrossings)
 {
-  this->Key.Isosurfaces.Opacities = { 0.01 };
+  this->Key.EditIsosurfaces().Opacities = { 0.01 };
   const Frame frame = this->Cold();
   std::vector<std::size_t> layers(frame.Depth.size(), 0);
   for (const std::vector<LayerHit>& tile : frame.Layers)

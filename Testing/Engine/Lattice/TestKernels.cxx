@@ -226,7 +226,7 @@ void KernelsFrame::Compare(const std::vector<double>& isovalues, bool asBlocks)
   FrameRenderer::Options options;
   options.Accuracy = ReuseAccuracy::Paper;
   key.Samples.Between = asBlocks ? Interpolation::Nearest : Interpolation::Linear;
-  key.Isosurfaces.Isovalues = isovalues;
+  key.EditIsosurfaces().Isovalues = isovalues;
   key.Appearance.Colors = { glm::dvec3(1.0, 0.5, 0.2), glm::dvec3(0.2, 0.5, 1.0) };
   key.Appearance.Shade = true;
   key.Appearance.Lights = { Light() };

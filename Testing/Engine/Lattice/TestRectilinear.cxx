@@ -348,7 +348,7 @@ protected:
       });
     this->Key.Samples = this->Samples.Field;
     this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 203, 117 });
-    this->Key.Isosurfaces.Isovalues = { 150.0, 90.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 150.0, 90.0 };
     this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
     this->Key.Appearance.Shade = true;
     this->Key.Appearance.Lights = { Light() };
@@ -396,7 +396,7 @@ TEST_F(RectilinearFrames, SpaceLeapingDoesNotChangeThePicture)
   {
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
     {
-      this->Key.Isosurfaces.Mode = mode;
+      this->Key.EditIsosurfaces().Mode = mode;
       for (const bool parallel : { false, true })
       {
         this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0, 0.7 }, size, parallel);
@@ -418,8 +418,8 @@ TEST_F(RectilinearFrames, SweepOfIsovaluesIsLookedUp)
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
     {
       this->Key.Samples.Between = between;
-      this->Key.Isosurfaces.Mode = mode;
-      this->Key.Isosurfaces.Isovalues = { 90.0 };
+      this->Key.EditIsosurfaces().Mode = mode;
+      this->Key.EditIsosurfaces().Isovalues = { 90.0 };
       FrameRenderer renderer;
       FrameRenderer::Options options;
       options.Map.Range = { 85.0, 175.0 };
@@ -427,7 +427,7 @@ TEST_F(RectilinearFrames, SweepOfIsovaluesIsLookedUp)
       constexpr int steps = IsMemorySanitized ? 10 : 40;
       for (int step = 1; step <= steps; ++step)
       {
-        this->Key.Isosurfaces.Isovalues = { 90.0 + 84.0 * step / steps };
+        this->Key.EditIsosurfaces().Isovalues = { 90.0 + 84.0 * step / steps };
         renderer.Render(this->Key, options);
         EXPECT_EQ(renderer.Statistics().Made, step == 1 ? Route::IsomapBuild : Route::IsomapLookup);
         EXPECT_LT(renderer.Statistics().TracedRays, renderer.Statistics().Rays / 20);

@@ -34,7 +34,7 @@ protected:
     this->Samples.Fill([](int i, int j, int k) { return 100.0 * Wave(i, j, k); });
     this->Key.Samples = this->Samples.Field;
     this->Key.View = LookAt(Dimensions, { 1.0, 2.0, 0.7 }, { 101, 67 });
-    this->Key.Isosurfaces.Isovalues = { 40.0, -30.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 40.0, -30.0 };
     this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
     this->Key.Appearance.Shade = true;
     this->Key.Appearance.Lights = { TemporalCoherence::Light() };
@@ -42,7 +42,7 @@ protected:
 
   void SetOpacity(double opacity)
   {
-    this->Key.Isosurfaces.Opacities.assign(this->Key.Isosurfaces.Isovalues.size(), opacity);
+    this->Key.EditIsosurfaces().Opacities.assign(this->Key.Isosurfaces().Isovalues.size(), opacity);
   }
 
   /// Let the region keep up to three pieces of a ray, and cut these.
@@ -151,7 +151,7 @@ protected:
   void SetAnyOpacities(std::mt19937& engine)
   {
     std::uniform_real_distribution<double> share(0.0, 1.0);
-    TemporalCoherence::Surfaces& surfaces = this->Key.Isosurfaces;
+    TemporalCoherence::Surfaces& surfaces = this->Key.EditIsosurfaces();
     switch (engine() % 6)
     {
       case 0:
@@ -185,7 +185,7 @@ protected:
       const auto change = engine() % 10;
       if (change == 0)
       {
-        std::vector<double>& isovalues = this->Key.Isosurfaces.Isovalues;
+        std::vector<double>& isovalues = this->Key.EditIsosurfaces().Isovalues;
         isovalues = engine() % 2 ? std::vector{ 40.0, -30.0 } : std::vector{ 10.0, 60.0 };
       }
       else if (change == 1)

@@ -34,7 +34,7 @@ class SolidFrames : public ::testing::Test
 protected:
   SolidFrames()
   {
-    this->Key.Isosurfaces = { { 0.4 }, SurfaceMode::Threshold };
+    this->Key.EditIsosurfaces() = { { 0.4 }, SurfaceMode::Threshold };
     this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
     this->Key.Appearance.Shade = true;
     this->Key.Appearance.Lights = { Light() };
@@ -143,7 +143,7 @@ TEST_F(SolidFrames, AreThoseWithoutLeaping)
   waves.Fill(Wave);
   this->Key.Samples = waves.Field;
   this->Compare(60);
-  this->Key.Isosurfaces.Isovalues = { 0.9, -0.2 };
+  this->Key.EditIsosurfaces().Isovalues = { 0.9, -0.2 };
   this->Compare(20);
   this->Key.Samples.Between = Interpolation::Nearest;
   this->Compare(20);
@@ -166,7 +166,7 @@ TEST_F(SolidFrames, AreThoseWithoutLeapingOfAnySamples)
   Grid<double> holes(Dimensions);
   holes.Fill(WaveWithHoles);
   this->Key.Samples = holes.Field;
-  this->Key.Isosurfaces.Isovalues = { 0.4e30 };
+  this->Key.EditIsosurfaces().Isovalues = { 0.4e30 };
   this->Compare(15);
   Grid<std::uint8_t> cells(Dimensions);
   cells.Fill([](int i, int j, int k) { return 100.0 + 70.0 * Wave(i, j, k); });
@@ -178,7 +178,7 @@ TEST_F(SolidFrames, AreThoseWithoutLeapingOfAnySamples)
   }
   cells.Field.Flagged = HiddenCells::Make(Dimensions, { flags.data(), 1 });
   this->Key.Samples = cells.Field;
-  this->Key.Isosurfaces.Isovalues = { 128.0 };
+  this->Key.EditIsosurfaces().Isovalues = { 128.0 };
   this->Compare(15);
 }
 
@@ -202,7 +202,7 @@ protected:
     this->Ball.Fill([](int i, int j, int k)
       { return 12.0 - glm::distance(glm::dvec3(i, j, k), 0.5 * glm::dvec3(Dimensions - 1)); });
     this->Key.Samples = this->Ball.Field;
-    this->Key.Isosurfaces.Isovalues = { 0.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 0.0 };
     this->Ranges.Build(this->Key.Samples);
     this->Key.View = LookAt(Dimensions, { 1.0, 2.0, 0.7 }, { 160, 160 });
   }

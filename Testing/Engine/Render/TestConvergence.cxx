@@ -40,7 +40,7 @@ Errors ErrorsAt(int n)
     glm::lookAt(glm::dvec3(2.0, -3.0, 1.5), glm::dvec3(0.0), glm::dvec3(0.0, 0.0, 1.0));
   EXPECT_TRUE(
     MakeView(camera, glm::perspective(0.6, 1.0, 1.0, 10.0), { 1.0, 10.0 }, { 128, 128 }, key.View));
-  key.Isosurfaces.Isovalues = { -Radius };
+  key.EditIsosurfaces().Isovalues = { -Radius };
   key.Appearance.Colors = { glm::dvec3(1.0) };
 
   FrameRenderer renderer;

@@ -63,11 +63,11 @@ FrameKey KeyOf(const Grid<T>& grid, const glm::dvec3& from, const glm::ivec2& si
 
 void SetIsovalues(FrameKey& key, const std::vector<double>& isovalues)
 {
-  key.Isosurfaces.Isovalues = isovalues;
+  key.EditIsosurfaces().Isovalues = isovalues;
   key.Appearance.Colors.assign(isovalues.size(), glm::dvec3(0.9, 0.6, 0.3));
-  if (!key.Isosurfaces.Opacities.empty())
+  if (!key.Isosurfaces().Opacities.empty())
   {
-    key.Isosurfaces.Opacities.assign(isovalues.size(), 0.5);
+    key.EditIsosurfaces().Opacities.assign(isovalues.size(), 0.5);
   }
 }
 
@@ -112,7 +112,7 @@ protected:
       sample = isSparse && !random.IsOneOf(5) ? T(0) : random.template Sample<T>(hasHoles);
     }
     FrameKey key = KeyOf(grid, { 1.0, 2.0, 0.7 }, { 19, 17 });
-    key.Isosurfaces.Mode = random.IsOneOf(2) ? SurfaceMode::Crossing : SurfaceMode::Threshold;
+    key.EditIsosurfaces().Mode = random.IsOneOf(2) ? SurfaceMode::Crossing : SurfaceMode::Threshold;
     key.Samples.Between = random.IsOneOf(3) ? Interpolation::Nearest : Interpolation::Linear;
     if (random.IsOneOf(3))
     {
@@ -120,15 +120,15 @@ protected:
     }
     if (random.IsOneOf(3))
     {
-      key.Isosurfaces.Opacities = { 0.5 };
+      key.EditIsosurfaces().Opacities = { 0.5 };
     }
     SCOPED_TRACE(testing::Message()
       << "seed " << seed << " type " << static_cast<int>(Grid<T>::Type()) << " mode "
-      << static_cast<int>(key.Isosurfaces.Mode) << " between "
+      << static_cast<int>(key.Isosurfaces().Mode) << " between "
       << static_cast<int>(key.Samples.Between) << " grid "
       << (key.Samples.Shape != UniformShape()));
     FrameRenderer::Options options;
-    options.Reuse.ImageCache = false;
+    options.Reuse.Frames = false;
     if (random.IsOneOf(2))
     {
       const double a = random.Finite(), b = random.Finite();
@@ -298,7 +298,7 @@ TEST_F(ExtremeValues, WhateverIsAboveZeroOfAMask)
     const double sign = key.Samples.Type == ScalarType::UInt8 ? 1.0 : -1.0;
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
     {
-      key.Isosurfaces.Mode = mode;
+      key.EditIsosurfaces().Mode = mode;
       FrameRenderer larger;
       SetIsovalues(key, { sign * 1e-6 });
       RenderPlainly(key, larger);
@@ -336,9 +336,9 @@ TEST_F(ExtremeValues, AnIsomapOfAllThereIs)
       for (const bool isAskedFor : { true, false })
       {
         FrameKey key = KeyOf(grid, { 1.0, 2.0, 0.7 }, { 60, 50 });
-        key.Isosurfaces.Mode = mode;
+        key.EditIsosurfaces().Mode = mode;
         FrameRenderer::Options options;
-        options.Reuse.ImageCache = false;
+        options.Reuse.Frames = false;
         if (isAskedFor)
         {
           options.Map.Range = { -scale, scale };

@@ -34,7 +34,7 @@ protected:
       { return 120.0 + 100.0 * std::sin(0.2 * i) * std::cos(0.25 * j) * std::sin(0.3 * k); });
     this->Key.Samples = this->Samples.Field;
     this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 203, 117 });
-    this->Key.Isosurfaces.Isovalues = { 150.0, 90.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 150.0, 90.0 };
     this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
     this->Key.Appearance.Shade = true;
     this->Key.Appearance.Lights = { Light() };
@@ -99,7 +99,7 @@ TEST_F(FrameRendererTest, SpaceLeapingDoesNotChangeThePicture)
   plain.SpaceLeaping = false;
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     EXPECT_TRUE(ShowTheSame(this->Cold(), this->Cold(plain)));
     // From within the volume, where blocks reach behind the eye.
     View inside = this->Key.View;
@@ -171,8 +171,8 @@ TEST_F(FrameRendererTest, ARepeatedViewIsCompletedOnce)
 TEST_F(FrameRendererTest, AWalkThatBeginsInASolidBeginsAgain)
 {
   // Pictures that know nothing of the solid: rays start behind its surface and must find it.
-  this->Key.Isosurfaces.Mode = SurfaceMode::Threshold;
-  this->Key.Isosurfaces.Isovalues = { 150.0 };
+  this->Key.EditIsosurfaces().Mode = SurfaceMode::Threshold;
+  this->Key.EditIsosurfaces().Isovalues = { 150.0 };
   this->Key.Appearance.Colors = { glm::dvec3(1.0) };
   FrameRenderer renderer;
   FrameRenderer::Options paper;
@@ -220,13 +220,13 @@ TEST_F(FrameRendererTest, AnswersAreCountedOnEveryRoute)
       FrameRenderer::Options options;
       options.Reuse.Isomap = hasIsomap;
       options.Accuracy = ReuseAccuracy::Paper;
-      this->Key.Isosurfaces = { { 110.0 }, mode };
+      this->Key.EditIsosurfaces() = { { 110.0 }, mode };
       this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 } };
       FrameRenderer renderer;
       std::set<Route> routes;
       for (int frame = 0; frame < 8; ++frame)
       {
-        this->Key.Isosurfaces.Isovalues[0] += frame % 4 ? 2.0 : 0.0;
+        this->Key.EditIsosurfaces().Isovalues[0] += frame % 4 ? 2.0 : 0.0;
         this->Key.View = LookAt(
           this->Samples.Field.Dimensions, { 1.0, 2.0 - 0.05 * (frame / 4), 0.7 }, { 203, 117 });
         renderer.Render(this->Key, options);
@@ -251,18 +251,18 @@ TEST_F(FrameRendererTest, CountersOfADragCountAllTiles)
 {
   FrameRenderer::Options options;
   options.Accuracy = ReuseAccuracy::Paper;
-  this->Key.Isosurfaces.Isovalues = { 110.0 };
+  this->Key.EditIsosurfaces().Isovalues = { 110.0 };
   this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 } };
   FrameRenderer renderer;
   renderer.Render(this->Key, options);
   this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 1.95, 0.7 }, { 203, 117 });
   renderer.Render(this->Key, options);
   ASSERT_EQ(renderer.Statistics().Made, Route::ImageCache);
-  this->Key.Isosurfaces.Isovalues[0] += 1.0;
+  this->Key.EditIsosurfaces().Isovalues[0] += 1.0;
   for (const double tolerance : { 0.0, 0.1 })
   {
     options.Map.Tolerance = tolerance;
-    this->Key.Isosurfaces.Isovalues[0] += 1.0;
+    this->Key.EditIsosurfaces().Isovalues[0] += 1.0;
     renderer.Render(this->Key, options);
     const FrameStatistics& counted = renderer.Statistics();
     EXPECT_EQ(counted.Made, Route::IsomapBuild);
@@ -282,7 +282,7 @@ TEST_F(FrameRendererTest, ProgressBeginsAtNothing)
   for (const bool hasRange : { false, true })
   {
     options.Map.Range = hasRange ? ValueBand{ 145.0, 155.0 } : ValueBand{ 1.0, 0.0 };
-    this->Key.Isosurfaces.Isovalues[0] = hasRange ? 147.0 : 151.0;
+    this->Key.EditIsosurfaces().Isovalues[0] = hasRange ? 147.0 : 151.0;
     std::vector<double> reported;
     renderer.Render(this->Key, options,
       [&](double progress)
@@ -301,7 +301,7 @@ TEST_F(FrameRendererTest, LayersEndWhereNothingShinesThrough)
 {
   for (const double opacity : { 0.99, 0.997, 0.999 })
   {
-    this->Key.Isosurfaces.Opacities = { opacity, opacity };
+    this->Key.EditIsosurfaces().Opacities = { opacity, opacity };
     const Frame frame = this->Cold();
     std::map<std::int32_t, int> layers;
     int most = 0;
@@ -347,7 +347,7 @@ TEST_F(FrameRendererTest, WithoutMemoryTheLastFrameStays)
   EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
   this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 1.9, 0.7 }, { 203, 117 });
   FrameRenderer::Options cold;
-  cold.Reuse.ImageCache = false;
+  cold.Reuse.Frames = false;
   renderer.Render(this->Key, cold);
   EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
 }
@@ -365,12 +365,12 @@ TEST_F(FrameRendererTest, NothingToSeeIsAnEmptyPicture)
     }
     return !frame.IsEmpty();
   };
-  this->Key.Isosurfaces.Isovalues = { 1000.0, -1000.0 };
+  this->Key.EditIsosurfaces().Isovalues = { 1000.0, -1000.0 };
   EXPECT_TRUE(isEmpty(this->Cold()));
-  this->Key.Isosurfaces.Isovalues.clear();
+  this->Key.EditIsosurfaces().Isovalues.clear();
   this->Key.Appearance.Colors.clear();
   EXPECT_TRUE(isEmpty(this->Cold()));
-  this->Key.Isosurfaces.Isovalues = { 100.0 };
+  this->Key.EditIsosurfaces().Isovalues = { 100.0 };
   this->Key.Appearance.Colors = { glm::dvec3(1.0) };
   this->Key.Samples.Dimensions.z = 1;
   EXPECT_TRUE(isEmpty(this->Cold()));

@@ -82,9 +82,9 @@ protected:
 
   void SetTranslucent(bool isTranslucent)
   {
-    this->Key.Isosurfaces.Isovalues = { 60.0, 120.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 60.0, 120.0 };
     this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
-    this->Key.Isosurfaces.Opacities =
+    this->Key.EditIsosurfaces().Opacities =
       isTranslucent ? std::vector{ 0.4, 0.7 } : std::vector<double>();
   }
 
@@ -202,7 +202,7 @@ TEST_F(KeptPlanes, NothingOfAnEarlierFrameStays)
         this->LookFrom({ entry(engine), 2.0, entry(engine) }, this->Key.View.Parallel);
         break;
       case 2:
-        this->SetTranslucent(this->Key.Isosurfaces.Opacities.empty());
+        this->SetTranslucent(this->Key.Isosurfaces().Opacities.empty());
         break;
       case 3:
         this->Key.Appearance.Ambient = 0.2 + 0.1 * entry(engine);

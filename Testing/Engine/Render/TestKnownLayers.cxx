@@ -35,7 +35,7 @@ TEST_F(KnownLayersOfFrames, LayersBehindGoWithWhatTheyBelongTo)
     EXPECT_GT(this->CountBehind(), 1000u);
   };
   expectGone("isovalues");
-  this->Key.Isosurfaces.Isovalues = { 10.0, 60.0 };
+  this->Key.EditIsosurfaces().Isovalues = { 10.0, 60.0 };
   this->Render("isovalues");
   EXPECT_EQ(this->CountBehind(), 0u);
   expectGone("the view");
@@ -54,8 +54,8 @@ TEST(FrameStoreTest, AnOldFrameKeepsNoLayersBehind)
   FrameStore store;
   FrameKey key;
   key.View.Size = glm::ivec2(16);
-  key.Isosurfaces.Isovalues = { 1.0 };
-  key.Isosurfaces.Opacities = { 0.5 };
+  key.EditIsosurfaces().Isovalues = { 1.0 };
+  key.EditIsosurfaces().Opacities = { 0.5 };
   const auto behind = [&store](const CachedImage& image)
   { return image.Picture.Behind.at(0).Hits.capacity(); };
   const auto make = [&]
@@ -66,10 +66,10 @@ TEST(FrameStoreTest, AnOldFrameKeepsNoLayersBehind)
   };
   make();
   const CachedImage& first = store.Last();
-  key.Isosurfaces.Opacities = { 0.6 };
+  key.EditIsosurfaces().Opacities = { 0.6 };
   make();
   EXPECT_GE(behind(first), 100u) << "memory for the next opacity";
-  key.Isosurfaces.Isovalues = { 2.0 };
+  key.EditIsosurfaces().Isovalues = { 2.0 };
   const CachedImage& second = store.Last();
   make();
   EXPECT_EQ(behind(second), 0u);
@@ -78,13 +78,13 @@ TEST(FrameStoreTest, AnOldFrameKeepsNoLayersBehind)
 
 TEST_F(KnownLayersOfFrames, WithoutImageCacheFramesAreCold)
 {
-  this->Options.Reuse.ImageCache = false;
+  this->Options.Reuse.Frames = false;
   this->Options.Reuse.Isomap = false;
   this->SetOpacity(0.3);
   this->Render("first", Route::Cold);
   this->SetOpacity(0.6);
   this->Render("without image cache", Route::Cold);
-  this->Options.Reuse.ImageCache = true;
+  this->Options.Reuse.Frames = true;
   this->SetOpacity(0.5);
   this->Render("with image cache", Route::Recomposite);
 }
@@ -103,7 +103,7 @@ TEST_F(KnownLayersOfFrames, AStoppedFrameLeavesNoTrace)
     const bool isMade = this->Renderer.Render(
       this->Key, this->Options, [stop](double progress) { return progress < stop; });
     EXPECT_FALSE(isMade);
-    EXPECT_TRUE(this->Renderer.LastKey().Isosurfaces == before.Isosurfaces);
+    EXPECT_TRUE(this->Renderer.LastKey().Isosurfaces() == before.Isosurfaces());
     this->Key = before;
     this->ExpectCold("after a stop");
   }
@@ -127,7 +127,7 @@ TEST_F(KnownLayersOfFrames, WithoutMemoryTheLastFrameStays)
   for (std::int64_t allowed = 0; !isMade; allowed += 1 + allowed / 2)
   {
     const FrameKey before = this->Key;
-    this->SetOpacity(this->Key.Isosurfaces.Opacities[0] == 0.9 ? 0.3 : 0.9);
+    this->SetOpacity(this->Key.Isosurfaces().Opacities[0] == 0.9 ? 0.3 : 0.9);
     try
     {
       const RefusedMemory without(allowed);

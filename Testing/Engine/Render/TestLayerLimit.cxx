@@ -26,7 +26,7 @@ protected:
   LayersOverTheLimit()
   {
     this->Samples.FillRandomly(0.0, 100.0, 3);
-    this->Key.Isosurfaces.Isovalues = { 18.0, 27.0, 36.0, 45.0, 54.0, 63.0, 72.0, 81.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 18.0, 27.0, 36.0, 45.0, 54.0, 63.0, 72.0, 81.0 };
     this->Key.Appearance.Colors.resize(8, { 0.9, 0.9, 0.3 });
     this->Key.View = LookAt(Dimensions, { 1.0, 2.0, 0.7 }, { 32, 24 });
   }
@@ -100,7 +100,7 @@ TEST_F(LayersOverTheLimit, EveryRouteGivesTheColdPicture)
 {
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     this->Wander(this->BackAndForth);
     this->SetOpacity(0.01);
     this->Render("last");
@@ -108,13 +108,13 @@ TEST_F(LayersOverTheLimit, EveryRouteGivesTheColdPicture)
       << this->Statistics().Layers << " layers by " << NameOf(this->Statistics().Made);
   }
   this->ExpectRoute(10);
-  this->Key.Isosurfaces.Mode = SurfaceMode::Crossing;
+  this->Key.EditIsosurfaces().Mode = SurfaceMode::Crossing;
   for (const double isovalue : { 19.0, 20.0, 21.0, 22.0 })
   {
-    this->Key.Isosurfaces.Isovalues[0] = isovalue;
+    this->Key.EditIsosurfaces().Isovalues[0] = isovalue;
     this->Render("isovalue");
     this->ExpectLimits("isovalue");
-    this->Wander({ this->Key.Isosurfaces.Opacities[0] * 1.2 });
+    this->Wander({ this->Key.Isosurfaces().Opacities[0] * 1.2 });
   }
   int others = 0; // of an isomap, say
   for (const auto& [route, count] : this->Routes)
@@ -133,10 +133,10 @@ TEST_F(LayersOverTheLimit, InRegionsParallelViewsAndByGradient)
   this->Wander({ 0.01, 0.4, 0.03 });
   this->Key.Region = {};
   this->Options.SpaceLeaping = false;
-  this->Key.Isosurfaces.ByGradient.Nodes = { { 10.0, 0.0 }, { 60.0, 1.0 } };
+  this->Key.EditIsosurfaces().ByGradient.Nodes = { { 10.0, 0.0 }, { 60.0, 1.0 } };
   this->Wander({ 0.02, 0.4, 0.03 });
   EXPECT_GT(this->Statistics().MergedLayers, 0);
-  this->Key.Isosurfaces.ByGradient.Nodes = { { 1e6, 0.0 }, { 2e6, 1.0 } };
+  this->Key.EditIsosurfaces().ByGradient.Nodes = { { 1e6, 0.0 }, { 2e6, 1.0 } };
   this->Wander({ 0.5, 0.02 }); // all layers are invisible, and none is ever the last
 }
 
@@ -244,7 +244,7 @@ TEST_F(LayersOverTheLimit, TimeStepsKeepWhatColdFramesKeep)
     step.Field.Stamp = this->Key.Samples.Stamp + 1;
     this->Key.Samples = step.Field;
     this->Render("time step");
-    this->Wander({ this->Key.Isosurfaces.Opacities[0] == 0.2 ? 0.02 : 0.2 });
+    this->Wander({ this->Key.Isosurfaces().Opacities[0] == 0.2 ? 0.02 : 0.2 });
   }
   EXPECT_GT(this->Routes[Route::TimeStep], 0);
   this->Renderer.Release(); // the samples go
@@ -301,7 +301,7 @@ TEST_F(LayersOverTheLimit, MemoryShrinksWithThePicture)
     this->Render("haze", Route::Cold);
   }
   const std::size_t before = capacity();
-  this->Key.Isosurfaces.Isovalues = { 99.5 };
+  this->Key.EditIsosurfaces().Isovalues = { 99.5 };
   for (int i = 0; i < 2; ++i)
   {
     this->Key.View = LookAt(Dimensions, { 1.0, 3.0 + 0.1 * i, 0.7 }, { 32, 24 });
@@ -318,8 +318,8 @@ TEST(FrameStoreLayers, CachedImagesKeepNone)
   FrameStore store;
   FrameKey key;
   key.View.Size = glm::ivec2(16);
-  key.Isosurfaces.Isovalues = { 1.0 };
-  key.Isosurfaces.Opacities = { 0.5 };
+  key.EditIsosurfaces().Isovalues = { 1.0 };
+  key.EditIsosurfaces().Opacities = { 0.5 };
   ImageCache::Options options;
   options.NumberOfImages = 3;
   std::vector<const CachedImage*> made;

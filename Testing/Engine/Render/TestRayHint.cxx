@@ -34,7 +34,7 @@ protected:
       });
     this->Key.Samples = this->Samples.Field;
     this->Key.View = LookAt(this->Key.Samples.Dimensions, { -1.0, 0.1, 0.2 }, { 61, 53 });
-    this->Key.Isosurfaces.Isovalues = { 2.0 };
+    this->Key.EditIsosurfaces().Isovalues = { 2.0 };
     this->Structures.PrepareRanges(this->Key);
     this->Structures.PrepareActiveCells(this->Key);
   }

@@ -22,7 +22,7 @@ TEST_F(Recomposite, WalksThroughOpacities)
 {
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     this->Walk(1);
   }
   this->ExpectRoute(10);
@@ -34,7 +34,7 @@ TEST_F(Recomposite, WalksWithoutIsomapAndInParallel)
   this->Key.View = LookAt(Dimensions, { 1.0, 0.2, 0.7 }, { 60, 50 }, true);
   this->Walk(2);
   this->Options.SpaceLeaping = false;
-  this->Key.Isosurfaces.Mode = SurfaceMode::Threshold;
+  this->Key.EditIsosurfaces().Mode = SurfaceMode::Threshold;
   this->Walk(3);
   this->ExpectRoute(10);
 }
@@ -47,7 +47,7 @@ TEST_F(Recomposite, WalksFromWithinAndWithFineAndCoarsePixels)
     this->Walk(4, 8);
   }
   this->LookFromWithin();
-  this->Key.Isosurfaces.Mode = SurfaceMode::Threshold;
+  this->Key.EditIsosurfaces().Mode = SurfaceMode::Threshold;
   this->Walk(5, 10);
   this->ExpectRoute(12);
 }
@@ -57,7 +57,7 @@ TEST_F(Recomposite, WalksInRegions)
   this->CutIntoPieces();
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     this->Walk(6, 10);
   }
   this->ExpectRoute(8);
@@ -68,7 +68,7 @@ TEST_F(Recomposite, WalksAmongHiddenCells)
   this->HideSomeCells();
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
+    this->Key.EditIsosurfaces().Mode = mode;
     this->Walk(7, 10);
   }
   this->ExpectRoute(8);
@@ -108,7 +108,7 @@ TEST_F(Recomposite, ASliderTracesEachRayOnce)
     this->Render("again " + std::to_string(opacity), Route::Recomposite);
     this->ExpectNothingTraced("again " + std::to_string(opacity));
   }
-  this->Key.Isosurfaces.ByGradient.Nodes = { { 5.0, 0.8 }, { 30.0, 1.0 } };
+  this->Key.EditIsosurfaces().ByGradient.Nodes = { { 5.0, 0.8 }, { 30.0, 1.0 } };
   this->SetOpacity(0.4);
   this->Render("by gradient", Route::Recomposite);
   this->ExpectNothingTraced("by gradient: less light than before");
@@ -117,7 +117,7 @@ TEST_F(Recomposite, ASliderTracesEachRayOnce)
 /// Of the others nothing more is known to be needed.
 TEST_F(Recomposite, OnlyRaysThatLightPassesGoOn)
 {
-  this->Key.Isosurfaces.Isovalues = { 10.0 };
+  this->Key.EditIsosurfaces().Isovalues = { 10.0 };
   this->Key.Appearance.Colors.resize(1);
   this->SetOpacity(0.9);
   this->Render("first", Route::Cold);
@@ -143,7 +143,7 @@ TEST_F(Recomposite, OpaqueSurfacesTraceNothing)
   this->SetOpacity(0.3);
   this->Render("first", Route::Cold);
   const std::int64_t layers = this->Statistics().Layers;
-  this->Key.Isosurfaces.Opacities.clear();
+  this->Key.EditIsosurfaces().Opacities.clear();
   this->Render("opaque", Route::Recomposite);
   this->ExpectNothingTraced("opaque");
   EXPECT_TRUE(this->Renderer.LastFrame().Layers.empty());
@@ -170,16 +170,16 @@ TEST_F(Recomposite, TranslucentSurfacesBeginBehindTheHits)
 TEST_F(Recomposite, InvisibleSurfacesComeBack)
 {
   this->SetOpacity(0.6);
-  this->Key.Isosurfaces.ByGradient.Nodes = { { 1e6, 0.0 }, { 2e6, 1.0 } };
+  this->Key.EditIsosurfaces().ByGradient.Nodes = { { 1e6, 0.0 }, { 2e6, 1.0 } };
   this->Render("all invisible", Route::Cold);
   EXPECT_GT(this->Statistics().Layers, 1000);
-  this->Key.Isosurfaces.ByGradient.Nodes = { { 10.0, 0.0 }, { 40.0, 1.0 } };
+  this->Key.EditIsosurfaces().ByGradient.Nodes = { { 10.0, 0.0 }, { 40.0, 1.0 } };
   this->Render("some visible", Route::Recomposite);
   this->ExpectNothingTraced("all were passed");
-  this->Key.Isosurfaces.ByGradient.Nodes = { { 1e6, 0.0 }, { 2e6, 1.0 } };
+  this->Key.EditIsosurfaces().ByGradient.Nodes = { { 1e6, 0.0 }, { 2e6, 1.0 } };
   this->Render("all invisible again", Route::Recomposite);
-  this->Key.Isosurfaces.ByGradient.Nodes.clear();
-  this->Key.Isosurfaces.Opacities.clear();
+  this->Key.EditIsosurfaces().ByGradient.Nodes.clear();
+  this->Key.EditIsosurfaces().Opacities.clear();
   this->Render("opaque", Route::Recomposite);
   this->ExpectNothingTraced("opaque");
 }
@@ -190,9 +190,9 @@ TEST_F(Recomposite, FramesOfAnIsomapKnowTheirLayersToo)
   this->Render("first");
   for (const double isovalue : { 41.0, 42.0, 43.0 })
   {
-    this->Key.Isosurfaces.Isovalues = { isovalue, -isovalue };
+    this->Key.EditIsosurfaces().Isovalues = { isovalue, -isovalue };
     this->Render("isovalues");
-    this->SetOpacity(this->Key.Isosurfaces.Opacities[0] - 0.2);
+    this->SetOpacity(this->Key.Isosurfaces().Opacities[0] - 0.2);
     this->Render("opacity", Route::Recomposite);
   }
   EXPECT_GT(this->Routes[Route::IsomapBuild] + this->Routes[Route::IsomapLookup], 2);
@@ -219,7 +219,7 @@ TEST_F(Recomposite, TimeStepsCopyWhatTilesKnow)
     step.Field.Stamp = this->Key.Samples.Stamp + 1;
     this->Key.Samples = step.Field;
     this->Render("time step");
-    this->SetOpacity(this->Key.Isosurfaces.Opacities[0] == 0.5 ? 0.9 : 0.5);
+    this->SetOpacity(this->Key.Isosurfaces().Opacities[0] == 0.5 ? 0.9 : 0.5);
     this->Render("opacity after a time step", Route::Recomposite);
   }
   EXPECT_GT(this->Routes[Route::TimeStep], 0);

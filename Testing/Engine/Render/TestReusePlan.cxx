@@ -19,7 +19,7 @@ FrameKey BaseKey()
   key.Samples.Dimensions = glm::ivec3(10);
   key.Samples.Stamp = 1;
   key.View.Size = glm::ivec2(100);
-  key.Isosurfaces.Isovalues = { 5.0 };
+  key.EditIsosurfaces().Isovalues = { 5.0 };
   key.Appearance.Colors = { glm::dvec3(1.0) };
   return key;
 }
@@ -66,7 +66,7 @@ TEST(ReusePlan, DataChanged)
 TEST(ReusePlan, IsovalueChangedInTheSameView)
 {
   FrameKey key = BaseKey();
-  key.Isosurfaces.Isovalues[0] = 4.0;
+  key.EditIsosurfaces().Isovalues[0] = 4.0;
   HeldForReuse held;
   EXPECT_EQ(Plan(key, {}, held), Route::IsomapBuild);
   held.Isomap = true;
@@ -76,17 +76,17 @@ TEST(ReusePlan, IsovalueChangedInTheSameView)
   EXPECT_EQ(Plan(key, noIsomap), Route::Cold);
   held.Isomap = held.CanBuildIsomap = false;
   EXPECT_EQ(Plan(key, {}, held), Route::Cold);
-  key.Isosurfaces.Mode = SurfaceMode::Threshold;
+  key.EditIsosurfaces().Mode = SurfaceMode::Threshold;
   EXPECT_EQ(Plan(key), Route::Cold);
   key = BaseKey();
-  key.Isosurfaces.Isovalues.clear();
+  key.EditIsosurfaces().Isovalues.clear();
   EXPECT_EQ(Plan(key), Route::Cold);
 }
 
 TEST(ReusePlan, OpacityChanged)
 {
   FrameKey key = BaseKey();
-  key.Isosurfaces.Opacities = { 0.5 };
+  key.EditIsosurfaces().Opacities = { 0.5 };
   EXPECT_EQ(Plan(key), Route::Recomposite);
   key.Appearance.Shade = true;
   EXPECT_EQ(Plan(key), Route::Recomposite) << "and the appearance";
@@ -94,36 +94,36 @@ TEST(ReusePlan, OpacityChanged)
   held.Isomap = held.Image = true;
   EXPECT_EQ(Plan(key, {}, held), Route::Recomposite) << "whatever an isomap holds";
   ReuseSwitches noCache;
-  noCache.ImageCache = false;
+  noCache.Frames = false;
   EXPECT_EQ(Plan(key, noCache), Route::Cold);
   held.IsExact = false;
   EXPECT_EQ(Plan(key, {}, held), Route::IsomapLookup) << "the last frame shows what is not there";
   held.Isomap = false;
   EXPECT_EQ(Plan(key, {}, held), Route::Cold);
   key = BaseKey();
-  key.Isosurfaces.ByGradient.Nodes = { { 1.0, 0.5 } };
+  key.EditIsosurfaces().ByGradient.Nodes = { { 1.0, 0.5 } };
   EXPECT_EQ(Plan(key), Route::Recomposite) << "by gradient magnitude";
 }
 
 TEST(ReusePlan, SomeOfSeveralIsovaluesChanged)
 {
   FrameKey last = BaseKey();
-  last.Isosurfaces.Isovalues = { 3.0, 5.0 };
-  last.Isosurfaces.Opacities = { 0.5, 0.5 };
+  last.EditIsosurfaces().Isovalues = { 3.0, 5.0 };
+  last.EditIsosurfaces().Opacities = { 0.5, 0.5 };
   FrameKey key = last;
-  key.Isosurfaces.Isovalues = { 3.0, 4.0 };
+  key.EditIsosurfaces().Isovalues = { 3.0, 4.0 };
   HeldForReuse held;
   const auto plan = [&](const ReuseSwitches& switches = {})
   { return PlanRoute(last, key, switches, held); };
   EXPECT_EQ(plan(), Route::IsomapBuild);
-  key.Isosurfaces.Isovalues = { 7.0, 1.0, 5.0 };
-  key.Isosurfaces.Opacities = { 0.1, 0.2, 1.0 };
+  key.EditIsosurfaces().Isovalues = { 7.0, 1.0, 5.0 };
+  key.EditIsosurfaces().Opacities = { 0.1, 0.2, 1.0 };
   key.Appearance.Shade = true;
   EXPECT_EQ(plan(), Route::IsomapBuild) << "and opacities, and the appearance";
-  key.Isosurfaces.Isovalues = { 3.0, 4.0 };
-  key.Isosurfaces.Opacities = last.Isosurfaces.Opacities;
+  key.EditIsosurfaces().Isovalues = { 3.0, 4.0 };
+  key.EditIsosurfaces().Opacities = last.Isosurfaces().Opacities;
   ReuseSwitches noCache;
-  noCache.ImageCache = false;
+  noCache.Frames = false;
   EXPECT_EQ(plan(noCache), Route::IsomapBuild);
   held.Isomap = true;
   EXPECT_EQ(plan(), Route::IsomapLookup) << "an isomap holds the new ones, too";
@@ -131,13 +131,13 @@ TEST(ReusePlan, SomeOfSeveralIsovaluesChanged)
   held.IsExact = false;
   EXPECT_EQ(plan(), Route::IsomapBuild) << "the last frame shows what is not there";
   held = {};
-  key.Isosurfaces.Opacities.clear();
+  key.EditIsosurfaces().Opacities.clear();
   EXPECT_EQ(plan(), Route::IsomapBuild) << "opaque surfaces";
-  key.Isosurfaces = { { 7.0, 8.0 }, SurfaceMode::Crossing, { 0.5, 0.5 } };
+  key.EditIsosurfaces() = { { 7.0, 8.0 }, SurfaceMode::Crossing, { 0.5, 0.5 } };
   EXPECT_EQ(plan(), Route::IsomapBuild) << "none is kept";
-  key.Isosurfaces = { { 3.0, 8.0 }, SurfaceMode::Threshold, { 0.5, 0.5 } };
+  key.EditIsosurfaces() = { { 3.0, 8.0 }, SurfaceMode::Threshold, { 0.5, 0.5 } };
   EXPECT_EQ(plan(), Route::Cold) << "another mode";
-  key.Isosurfaces.Mode = SurfaceMode::Crossing;
+  key.EditIsosurfaces().Mode = SurfaceMode::Crossing;
   key.View.ClipFromWorld[0][0] = 2.0;
   EXPECT_EQ(plan(), Route::Cold) << "another view";
 }
@@ -145,12 +145,12 @@ TEST(ReusePlan, SomeOfSeveralIsovaluesChanged)
 TEST(ReusePlan, OpacityAndMoreChanged)
 {
   FrameKey translucent = BaseKey();
-  translucent.Isosurfaces.Opacities = { 0.5 };
+  translucent.EditIsosurfaces().Opacities = { 0.5 };
   FrameKey key = translucent;
-  key.Isosurfaces.Isovalues[0] = 4.0;
+  key.EditIsosurfaces().Isovalues[0] = 4.0;
   EXPECT_EQ(Plan(key), Route::IsomapBuild);
   key = translucent;
-  key.Isosurfaces.Mode = SurfaceMode::Threshold;
+  key.EditIsosurfaces().Mode = SurfaceMode::Threshold;
   EXPECT_EQ(Plan(key), Route::Cold);
   key = translucent;
   key.View.ClipFromWorld[0][0] = 2.0;
@@ -171,7 +171,7 @@ TEST(ReusePlan, ViewChanged)
   held.Image = true;
   EXPECT_EQ(Plan(key, {}, held), Route::ImageCache);
   ReuseSwitches noCache;
-  noCache.ImageCache = false;
+  noCache.Frames = false;
   EXPECT_EQ(Plan(key, noCache, held), Route::Cold);
 }
 
@@ -193,10 +193,10 @@ TEST(ReusePlan, WhatAnImageCanServe)
   EXPECT_TRUE(CanServe(BaseKey(), key));
   key.Appearance.Shade = true;
   EXPECT_TRUE(CanServe(BaseKey(), key));
-  key.Isosurfaces.Isovalues[0] = 6.0;
+  key.EditIsosurfaces().Isovalues[0] = 6.0;
   EXPECT_FALSE(CanServe(BaseKey(), key)) << "another isovalue";
   key = BaseKey();
-  key.Isosurfaces.Mode = SurfaceMode::Threshold;
+  key.EditIsosurfaces().Mode = SurfaceMode::Threshold;
   EXPECT_FALSE(CanServe(BaseKey(), key));
   key = BaseKey();
   key.Samples.Stamp = 2;
@@ -233,7 +233,7 @@ TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
   EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "too many tiles";
   held.ShareToTrace = 0.0;
   ReuseSwitches noCache;
-  noCache.ImageCache = false;
+  noCache.Frames = false;
   EXPECT_EQ(Plan(key, noCache, held), Route::Cold);
   held.IsExact = false;
   EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "what is copied must be exact";
@@ -244,10 +244,10 @@ TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
   other.View.ClipFromWorld[0][0] = 2.0;
   expectCold(other, "view");
   other = key;
-  other.Isosurfaces.Isovalues[0] = 6.0;
+  other.EditIsosurfaces().Isovalues[0] = 6.0;
   expectCold(other, "surfaces");
   other = key;
-  other.Isosurfaces.Opacities = { 0.5 };
+  other.EditIsosurfaces().Opacities = { 0.5 };
   expectCold(other, "opacity");
   other = key;
   other.Appearance.Shade = true;
@@ -269,33 +269,36 @@ TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
 TEST(ReusePlan, OtherColorsOfAProjection)
 {
   FrameKey last, key;
-  last.Volume.Mode = key.Volume.Mode = BlendMode::Maximum;
-  last.Volume.Looks.resize(1);
-  key.Volume.Looks.resize(1);
+  for (FrameKey* frame : { &last, &key })
+  {
+    Blending& blending = frame->Shown.emplace<Blending>();
+    blending.Mode = BlendMode::Maximum;
+    blending.Looks.resize(1);
+  }
   HeldForReuse held;
   held.Values = true;
   EXPECT_EQ(PlanRoute(last, key, {}, held), Route::Redisplay);
   key.Appearance.ColorScale = 0.5;
   EXPECT_EQ(PlanRoute(last, key, {}, held), Route::KeepValues);
-  key.Volume.Looks[0].Transfer.Nodes = { { 0.0, 0.0, 0.0, 0.1 }, { 1.0, 1.0, 1.0, 0.2 } };
+  key.Blended().Looks[0].Transfer.Nodes = { { 0.0, 0.0, 0.0, 0.1 }, { 1.0, 1.0, 1.0, 0.2 } };
   EXPECT_EQ(PlanRoute(last, key, {}, held), Route::KeepValues);
   EXPECT_EQ(PlanRoute(last, key, {}, {}), Route::Cold) << "nothing is kept";
   ReuseSwitches off;
-  off.ImageCache = false;
+  off.Frames = false;
   EXPECT_EQ(PlanRoute(last, key, off, held), Route::Cold);
-  last.Volume.Mode = key.Volume.Mode = BlendMode::Average;
+  last.Blended().Mode = key.Blended().Mode = BlendMode::Average;
   EXPECT_EQ(PlanRoute(last, key, {}, held), Route::Cold) << "opacities are averaged";
-  last.Volume.Looks = key.Volume.Looks;
-  key.Volume.Looks[0].Transfer.Nodes[0].x = 0.7;
+  last.Blended().Looks = key.Blended().Looks;
+  key.Blended().Looks[0].Transfer.Nodes[0].x = 0.7;
   EXPECT_EQ(PlanRoute(last, key, {}, held), Route::KeepValues);
   FrameKey other = key;
-  other.Volume.AverageRange.x = -1.0;
+  other.Blended().AverageRange.x = -1.0;
   EXPECT_EQ(PlanRoute(last, other, {}, held), Route::Cold);
   other = key;
   other.View.Parallel = !other.View.Parallel;
   EXPECT_EQ(PlanRoute(last, other, {}, held), Route::Cold);
   other = key;
-  other.Volume.Mode = BlendMode::Additive;
+  other.Blended().Mode = BlendMode::Additive;
   EXPECT_EQ(PlanRoute(last, other, {}, held), Route::Cold);
 }
 

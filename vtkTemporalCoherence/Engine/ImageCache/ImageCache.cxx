@@ -12,7 +12,7 @@ bool CanServe(const FrameKey& cached, const FrameKey& next)
 {
   // Pictures of another size are not used: too much can hide between their pixels.
   const FrameChange change = CompareFrames(cached, next);
-  return !change.Data && !change.Surfaces && !change.Volume && cached.View.Size == next.View.Size;
+  return !change.Data && !change.Surfaces && !change.Blending && cached.View.Size == next.View.Size;
 }
 
 std::shared_ptr<CachedImage> ImageCache::Find(

@@ -20,7 +20,7 @@ BandBuilder::BandBuilder(const BandSource& source, const Isomap& map, const Valu
   , Bounds(bounds)
 {
   const FrameKey& key = source.Key;
-  const SurfaceMode mode = key.Isosurfaces.Mode;
+  const SurfaceMode mode = key.Isosurfaces().Mode;
   this->Active.Build(key.Samples, source.Pyramid, band, mode);
   BandScene scene{ key.Samples, source.Pyramid.FiniteRange(), &source.Pyramid, &this->Active, band,
     mode, map.Form(), key.Transform };
@@ -32,7 +32,7 @@ void BandBuilder::FindBounds(const BandSource& source, const ValueBand& band, Ti
 {
   const FrameKey& key = source.Key;
   ActiveCells active;
-  active.Build(key.Samples, source.Pyramid, band, key.Isosurfaces.Mode);
+  active.Build(key.Samples, source.Pyramid, band, key.Isosurfaces().Mode);
   bounds.Build(key.View, key.Transform, active, *key.Samples.Shape);
   bounds.ReleaseScratch();
 }
@@ -73,7 +73,7 @@ GroupBand BandBuilder::Build(std::size_t group, std::int64_t& cellsRead) const
 /// cells.
 bool BandBuilder::CanSkip(std::int64_t tile) const
 {
-  return this->Bounds && this->Key.Isosurfaces.Mode == SurfaceMode::Crossing &&
+  return this->Bounds && this->Key.Isosurfaces().Mode == SurfaceMode::Crossing &&
     this->Bounds->At(tile).IsEmpty();
 }
 

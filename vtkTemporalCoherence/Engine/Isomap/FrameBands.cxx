@@ -47,7 +47,7 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
   , Work(map.Size(), GroupWork::LookUp)
   , CellsRead(map.Size(), 0)
 {
-  const std::vector<double>& isovalues = source.Bands.Key.Isosurfaces.Isovalues;
+  const std::vector<double>& isovalues = source.Bands.Key.Isosurfaces().Isovalues;
   ++state.Frame;
   for (std::size_t group = 0; group < map.Size(); ++group)
   {
@@ -228,7 +228,7 @@ ValueBand FrameBands::Widened(std::size_t isovalue) const
   const ValueBand& band = this->Bands[isovalue];
   constexpr double most = std::numeric_limits<double>::max();
   const double more = BandsInBounds * (band.High - band.Low);
-  const bool isDown = band.High == this->From.Bands.Key.Isosurfaces.Isovalues[isovalue];
+  const bool isDown = band.High == this->From.Bands.Key.Isosurfaces().Isovalues[isovalue];
   return { isDown ? std::max(band.Low - more, -most) : band.Low,
     isDown ? band.High : std::min(band.High + more, most) };
 }
@@ -252,7 +252,7 @@ bool FrameBands::Build(std::size_t group, std::int64_t& cellsRead)
   {
     for (std::size_t i = 0; i < this->Bands.size(); ++i)
     {
-      if (this->Map.Find(group, this->From.Bands.Key.Isosurfaces.Isovalues[i]))
+      if (this->Map.Find(group, this->From.Bands.Key.Isosurfaces().Isovalues[i]))
       {
         continue;
       }

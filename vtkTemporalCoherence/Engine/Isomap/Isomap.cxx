@@ -50,7 +50,7 @@ double Isomap::SmallestTolerance(const Field& field, const IndexTransform& trans
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
 {
   // Tracing layers behind a translucent surface begins at its distance, which must be exact.
-  if (key.Isosurfaces.IsTranslucent())
+  if (key.Isosurfaces().IsTranslucent())
   {
     return {};
   }
@@ -69,7 +69,7 @@ bool Isomap::IsOf(const FrameKey& key, const Options& options) const
   return this->IsBegun && this->KnotsAre == FormFor(key, options) &&
     this->Key.Samples == key.Samples && this->Key.Transform == key.Transform &&
     this->Key.Region == key.Region && this->Key.View == key.View &&
-    this->Key.Isosurfaces.Mode == key.Isosurfaces.Mode;
+    this->Key.Isosurfaces().Mode == key.Isosurfaces().Mode;
 }
 
 std::size_t Isomap::FixedMemory(const FrameKey& key)

@@ -141,7 +141,7 @@ Isomap::Outcome IsomapBuilder::Prepare(
     return Isomap::Outcome::TooLarge;
   }
   this->IsRangeTooLarge = false;
-  for (const double isovalue : source.Key.Isosurfaces.Isovalues)
+  for (const double isovalue : source.Key.Isosurfaces().Isovalues)
   {
     const ValueBand range = RangeAskedFor(options, source.Pyramid, isovalue);
     if (!range.Holds(isovalue) || this->Map.Covers({ isovalue }))
@@ -162,7 +162,7 @@ Isomap::Outcome IsomapBuilder::Prepare(
 Isomap::Outcome IsomapBuilder::BuildAhead(
   const BandSource& source, const Isomap::Options& options, const ReportProgress& report)
 {
-  const std::vector<double>& isovalues = source.Key.Isosurfaces.Isovalues;
+  const std::vector<double>& isovalues = source.Key.Isosurfaces().Isovalues;
   Isomap::Outcome outcome =
     this->Begin(source, options) ? Isomap::Outcome::Built : Isomap::Outcome::TooLarge;
   this->Map.ForgetAsked();

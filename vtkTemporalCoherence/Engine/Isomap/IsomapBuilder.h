@@ -30,7 +30,7 @@ public:
   /// True if there are bands for all isovalues of a frame in the whole picture.
   bool Covers(const FrameKey& key, const Isomap::Options& options) const
   {
-    return this->Map.IsOf(key, options) && this->Map.Covers(key.Isosurfaces.Isovalues);
+    return this->Map.IsOf(key, options) && this->Map.Covers(key.Isosurfaces().Isovalues);
   }
 
   /// True if building bands for a frame may succeed.

@@ -95,7 +95,7 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const Isomap& map, const glm::dv
   , HasNormals(map.Form().HasNormals)
   , Pieces(map.Pieces())
   , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
-  , Rules(key.Isosurfaces, key.Samples.Hidden != nullptr)
+  , Rules(key.Isosurfaces(), key.Samples.Hidden != nullptr)
   , Tracer(std::move(tracer))
 {
 }
@@ -104,7 +104,7 @@ bool IsomapLookup::FindBands(std::size_t group, std::vector<IsovalueKeys>& keys)
 try
 {
   keys.clear();
-  for (const double isovalue : this->Key.Isosurfaces.Isovalues)
+  for (const double isovalue : this->Key.Isosurfaces().Isovalues)
   {
     const GroupBand* const band = this->Map.Find(group, isovalue);
     if (!band)
@@ -304,7 +304,7 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
       found.Unresolved |= Bit(ray);
       which &= ~Bit(ray);
     }
-    else if (ahead < 0.0 && this->Key.Isosurfaces.Mode == SurfaceMode::Threshold)
+    else if (ahead < 0.0 && this->Key.Isosurfaces().Mode == SurfaceMode::Threshold)
     {
       this->Rules.CapWhereItBegins(
         rays.Begin[ray], static_cast<std::int16_t>(surface), ray, found.Hits);

@@ -36,8 +36,8 @@ bool HasNormals(const Blending& volume)
 /// The field whose gradients are the normals of a volume.
 const Field& FieldOfNormals(const FrameKey& key)
 {
-  const std::size_t component = ComponentLooks(key.Volume).GradientOf(0);
-  return component == 0 ? key.Samples : key.Volume.Others[component - 1];
+  const std::size_t component = ComponentLooks(key.Blended()).GradientOf(0);
+  return component == 0 ? key.Samples : key.Blended().Others[component - 1];
 }
 
 /// Blends the rays of tiles, and writes the planes of the frame.
@@ -50,13 +50,13 @@ public:
     : Key(task.Key)
     , Space(space)
     , Last(last)
-    , IsAllKnown(last && KnowsAllExtremes(last->MetWithin, Key.Volume))
+    , IsAllKnown(last && KnowsAllExtremes(last->MetWithin, Key.Blended()))
     , Rays(Key.View, Key.Transform, Key.Samples.Dimensions, Key.Region)
     , Tracer(Key.Samples.HasCells()
           ? MakeBlendTracer({ Key, space.Active, &task.Structures.Pyramid() })
           : nullptr)
   {
-    if (this->Tracer && HasNormals(Key.Volume))
+    if (this->Tracer && HasNormals(Key.Blended()))
     {
       // Any isovalue serves: gradients do not depend on it.
       const glm::dvec2& range = task.Structures.Pyramid().FiniteRange();
@@ -86,12 +86,13 @@ public:
     }
     BlendedRays seen;
     this->Tracer->Begin(seen);
-    const std::uint64_t met = this->Last ? TakeMet(this->Key.Volume, tile, *this->Last, seen) : 0;
+    const std::uint64_t met =
+      this->Last ? TakeMet(this->Key.Blended(), tile, *this->Last, seen) : 0;
     const std::uint64_t known = this->IsAllKnown ? ~std::uint64_t(0) : met;
     this->Trace(rays, known, world, seen);
     if (!frame.Met.empty())
     {
-      KeepMet(this->Key.Volume, tile, seen, frame);
+      KeepMet(this->Key.Blended(), tile, seen, frame);
     }
     this->Tracer->Finish(rays, world, seen);
     this->Store(rays, known, seen, frame, counts);
@@ -110,7 +111,7 @@ private:
   /// True if a tile shows nothing. An empty sum does not count: it shows black.
   bool IsEmpty(std::int64_t tile) const
   {
-    return this->Key.Volume.Mode != BlendMode::Additive &&
+    return this->Key.Blended().Mode != BlendMode::Additive &&
       ((this->IsAllKnown && this->Last->ClearTiles[static_cast<std::size_t>(tile)]) ||
         (this->Space.Active && this->Space.Bounds->At(tile).IsEmpty()));
   }
@@ -118,7 +119,7 @@ private:
   /// End rays at opaque props.
   void EndWhereHidden(RayBatch& rays) const
   {
-    if (const auto& ends = this->Key.Volume.Ends)
+    if (const auto& ends = this->Key.Blended().Ends)
     {
       for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
       {
@@ -227,9 +228,9 @@ LeapedSpace BeginBlending(FrameTask& task, bool searches)
   const bool leaps =
     searches && task.Options.SpaceLeaping && task.Structures.PrepareVisibleCells(task.Key);
   FrameExtras extras;
-  extras.Met = task.Options.Reuse.ImageCache ? NumbersMet(task.Key.Volume) : 0;
+  extras.Met = task.Options.Reuse.Frames ? NumbersMet(task.Key.Blended()) : 0;
   task.Store.Begin(task.Key, extras);
-  task.Store.Next().Picture.MetWithin = ExtremesMet(task.Key.Volume);
+  task.Store.Next().Picture.MetWithin = ExtremesMet(task.Key.Blended());
   return task.Structures.VisibleSpace(leaps);
 }
 
@@ -251,7 +252,7 @@ bool BlendCold(FrameTask& task)
 bool BlendKnownValues(FrameTask& task)
 {
   const Frame& last = task.Store.Last().Picture;
-  const bool isAllKnown = KnowsAllExtremes(last.MetWithin, task.Key.Volume);
+  const bool isAllKnown = KnowsAllExtremes(last.MetWithin, task.Key.Blended());
   const LeapedSpace space = BeginBlending(task, !isAllKnown);
   if (isAllKnown)
   {

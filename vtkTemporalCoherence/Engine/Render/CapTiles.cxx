@@ -116,7 +116,8 @@ public:
   CapFinder(const FrameKey& key, const RaySource& rays, const ValueRangePyramid& ranges)
     : Shape(*key.Samples.Shape)
     , Cells(key.Samples.Dimensions - 1)
-    , Lowest(*std::min_element(key.Isosurfaces.Isovalues.begin(), key.Isosurfaces.Isovalues.end()))
+    , Lowest(
+        *std::min_element(key.Isosurfaces().Isovalues.begin(), key.Isosurfaces().Isovalues.end()))
     , Begins(rays)
     , Ranges(ranges)
   {

@@ -69,7 +69,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       ShadeAgain(task);
       return true;
     case Route::IsomapLookup:
-      return this->LookUpAll(route, task);
+      return this->LookUpIsomap(route, task);
     case Route::IsomapBuild:
       task.Report = report;
       return this->BuildAndLookUp(route, task);
@@ -84,7 +84,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
     case Route::Cold:
       break;
   }
-  return task.Key.Volume.IsOn() ? BlendCold(task) : TraceCold(task);
+  return task.Key.IsBlended() ? BlendCold(task) : TraceCold(task);
 }
 
 /// The new frame becomes the last frame, if the route made one.
@@ -120,7 +120,7 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   ReuseSwitches switches = options.Reuse;
   // A picture from an isomap does not serve a request with another tolerance.
   switches.RefineWhenStill |= !(this->LastForm == Isomap::FormFor(key, options.Map));
-  switches.RefineWhenStill |= isExactAsked || !switches.ImageCache;
+  switches.RefineWhenStill |= isExactAsked || !switches.Frames;
   return PlanRoute(last.Key, key, switches, held);
 }
 
@@ -145,7 +145,7 @@ bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
     case Isomap::Outcome::Stopped:
       return false;
     case Isomap::Outcome::Built:
-      return this->LookUpAll(route, task);
+      return this->LookUpIsomap(route, task);
     default:
       route = this->ChooseRoute(task.Key, task.Options, false);
       route = route == Route::IsomapBuild ? Route::Cold : route;
@@ -154,7 +154,7 @@ bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
 }
 
 /// Make a frame from the isomap. The route is IsomapBuild if some tiles lacked bands.
-bool FrameRenderer::LookUpAll(Route& route, FrameTask& task)
+bool FrameRenderer::LookUpIsomap(Route& route, FrameTask& task)
 {
   bool isBuilding = route == Route::IsomapBuild;
   const bool isMade = LookUp(task, this->Map, this->UnresolvedRays, isBuilding);
@@ -183,7 +183,7 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const ReportProgress& report)
 {
   this->TimeToBuild = 0.0;
-  if (key.Isosurfaces.Isovalues.empty() || !this->Map.CanBuild(key, options.Map))
+  if (key.Isosurfaces().Isovalues.empty() || !this->Map.CanBuild(key, options.Map))
   {
     return Isomap::Outcome::Impossible;
   }
@@ -235,7 +235,7 @@ void FrameRenderer::FollowSamples(const FrameKey& key)
   else if (result == SampleComparer::Result::Different)
   {
     const FrameChange change = CompareFrames(last, key);
-    if (change.Samples && !change.View && !key.Isosurfaces.Isovalues.empty())
+    if (change.Samples && !change.View && !key.Isosurfaces().Isovalues.empty())
     {
       this->PrepareRanges(key);
       this->Changes.FindTilesToTrace(key.View, key.Transform, this->Structures.Ranges());

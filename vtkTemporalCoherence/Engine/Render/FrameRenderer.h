@@ -81,7 +81,7 @@ private:
   Route ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const;
   bool Make(Route& route, FrameTask& task, CachedImage* nearest);
   bool BuildAndLookUp(Route& route, FrameTask& task);
-  bool LookUpAll(Route& route, FrameTask& task);
+  bool LookUpIsomap(Route& route, FrameTask& task);
   Isomap::Outcome PrepareIsomap(FrameTask& task);
   void Finish(Route route, const FrameTask& task);
 

@@ -25,7 +25,7 @@ void FrameStore::Begin(const FrameKey& key, const FrameExtras& extras)
   CachedImage& next = *this->Back;
   next.Picture.Resize(key.View.Size, extras);
   const std::size_t tiles =
-    key.Isosurfaces.IsTranslucent() ? next.Picture.ClearTiles.size() : std::size_t(0);
+    key.Isosurfaces().IsTranslucent() ? next.Picture.ClearTiles.size() : std::size_t(0);
   next.Picture.Layers.resize(tiles);
   next.Picture.Behind.resize(tiles);
   if (next.Key.View.Parallel != key.View.Parallel)

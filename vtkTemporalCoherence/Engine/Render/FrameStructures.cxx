@@ -15,7 +15,7 @@ namespace
 /// True if a key may show anything of its field.
 bool IsSeen(const FrameKey& key)
 {
-  return key.Samples.HasCells() && (key.Volume.IsOn() || !key.Isosurfaces.Isovalues.empty());
+  return key.Samples.HasCells() && (key.IsBlended() || !key.Isosurfaces().Isovalues.empty());
 }
 
 }
@@ -44,17 +44,17 @@ void FrameStructures::PrepareActiveCells(const FrameKey& key)
     return;
   }
   if (!(this->OfSurfaces->Samples == key.Samples) ||
-    !AreMetAlike(this->OfSurfaces->Isosurfaces, key.Isosurfaces))
+    !AreMetAlike(this->OfSurfaces->Isosurfaces, key.Isosurfaces()))
   {
     this->BoundCells = nullptr;
-    this->Shared->Provide(*this->OfData, key.Isosurfaces, this->OfSurfaces);
+    this->Shared->Provide(*this->OfData, key.Isosurfaces(), this->OfSurfaces);
   }
   this->PrepareBounds(key, *this->OfSurfaces->Active);
 }
 
 bool FrameStructures::PrepareVisibleCells(const FrameKey& key)
 {
-  const std::optional<std::vector<std::vector<ValueBand>>> bands = VisibleComponents(key.Volume);
+  const std::optional<std::vector<std::vector<ValueBand>>> bands = VisibleComponents(key.Blended());
   if (!IsSeen(key) || !bands)
   {
     return false;
@@ -73,7 +73,7 @@ bool FrameStructures::PrepareVisibleCells(const FrameKey& key)
 std::vector<VisibleValues> FrameStructures::VisibleValuesOf(
   const FrameKey& key, const std::vector<std::vector<ValueBand>>& bands)
 {
-  const std::vector<Field>& others = key.Volume.Others;
+  const std::vector<Field>& others = key.Blended().Others;
   this->OfOthers.resize(others.size(), std::make_shared<const FieldRanges>());
   std::vector<VisibleValues> values{ { this->OfData, bands.front() } };
   for (std::size_t i = 0; i < others.size(); ++i)

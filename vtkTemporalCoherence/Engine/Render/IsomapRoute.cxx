@@ -64,7 +64,7 @@ public:
     , Unresolved(unresolved)
     , Limit(limit)
     , Lookup(task.Key, map, task.Structures.Pyramid().FiniteRange(),
-        MakeSurfaceTracer({ task.Key.Samples, task.Key.Isosurfaces,
+        MakeSurfaceTracer({ task.Key.Samples, task.Key.Isosurfaces(),
           task.Structures.Pyramid().FiniteRange(), nullptr }))
     , Tracer(SceneOf(task, space, nullptr))
     , Shader(ShadeSceneOf(task, space), map.Form().HasNormals ? HitSet::NotDefinite : HitSet::All,
@@ -155,13 +155,13 @@ bool LookUp(
   FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved, bool& isBuilding)
 {
   // If every tile has bands, rays only walk behind translucent surfaces.
-  const bool isCovered = map.Built().Covers(task.Key.Isosurfaces.Isovalues);
+  const bool isCovered = map.Built().Covers(task.Key.Isosurfaces().Isovalues);
   isBuilding |= !isCovered;
   const bool leaps =
-    task.Options.SpaceLeaping && (task.Key.Isosurfaces.IsTranslucent() || !isCovered);
+    task.Options.SpaceLeaping && (task.Key.Isosurfaces().IsTranslucent() || !isCovered);
   const LeapedSpace space = Begin(task, leaps, ExtrasOf(task));
   const BandSource source{ task.Key, task.Structures.Pyramid(), MakeBandTracer };
-  FrameBands bands({ source, task.Options.Map, task.Store.Last().Key.Isosurfaces.Isovalues },
+  FrameBands bands({ source, task.Options.Map, task.Store.Last().Key.Isosurfaces().Isovalues },
     map.ToBuild(), map.Drag());
   MakeBuilders(task, bands);
   unresolved.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size)));

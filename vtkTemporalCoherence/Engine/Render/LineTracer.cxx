@@ -33,12 +33,12 @@ std::optional<LineHit> TraceLine(
   const glm::dvec2& finiteRange = ranges.Pyramid->FiniteRange();
   key.View = ViewAlong(begin, end);
   key.Appearance = Appearance();
-  key.Appearance.Colors.resize(key.Isosurfaces.Isovalues.size());
+  key.Appearance.Colors.resize(key.Isosurfaces().Isovalues.size());
   Frame frame;
   FrameExtras extras;
   extras.Cells = key.Samples.Shape->Abilities().IsMesh;
   frame.Resize(key.View.Size, extras);
-  frame.Layers.resize(key.Isosurfaces.IsTranslucent() ? 1 : 0);
+  frame.Layers.resize(key.Isosurfaces().IsTranslucent() ? 1 : 0);
   const PixelRect pixel{ glm::ivec2(0), glm::ivec2(1) };
   // No structures: building them pays for whole pictures only, and reading every cell on one line
   // is quick.

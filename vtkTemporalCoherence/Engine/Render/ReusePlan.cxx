@@ -27,20 +27,20 @@ bool CanCopy(const FrameChange& change, const FrameKey& next, const HeldForReuse
 bool KnowsLayers(const FrameChange& change, const FrameKey& next, const HeldForReuse& held)
 {
   return change.Opacity && !change.Data && !change.View && held.IsExact &&
-    !next.Isosurfaces.Isovalues.empty();
+    !next.Isosurfaces().Isovalues.empty();
 }
 
-/// The route if the last or the next picture shows a blended volume.
+/// The route from one blended volume to another.
 Route PlanVolume(const FrameChange& change, const FrameKey& last, const FrameKey& next,
   const ReuseSwitches& switches, const HeldForReuse& held)
 {
   const bool isOther = change.Data || change.View || change.Surfaces || change.Opacity;
-  if (!isOther && !change.Appearance && !change.Volume)
+  if (!isOther && !change.Appearance && !change.Blending)
   {
     return Route::Redisplay;
   }
   const bool isKnown =
-    switches.ImageCache && held.Values && MeetSameValues(last.Volume, next.Volume);
+    switches.Frames && held.Values && MeetSameValues(last.Blended(), next.Blended());
   return !isOther && isKnown ? Route::KeepValues : Route::Cold;
 }
 
@@ -76,7 +76,11 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   const HeldForReuse& held)
 {
   const FrameChange change = CompareFrames(last, next);
-  if (last.Volume.IsOn() || next.Volume.IsOn())
+  if (last.IsBlended() != next.IsBlended())
+  {
+    return Route::Cold;
+  }
+  if (next.IsBlended())
   {
     return PlanVolume(change, last, next, switches, held);
   }
@@ -85,27 +89,27 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   {
     return change.Appearance ? Route::Reshade : Route::Redisplay;
   }
-  if (switches.ImageCache && KnowsLayers(change, next, held))
+  if (switches.Frames && KnowsLayers(change, next, held))
   {
     return Route::Recomposite;
   }
   // An isomap serves whatever the last frame was. But with a tolerance it cannot refine a picture
   // that is not exact.
-  if (switches.Isomap && held.Isomap && !next.Isosurfaces.Isovalues.empty() &&
+  if (switches.Isomap && held.Isomap && !next.Isosurfaces().Isovalues.empty() &&
     (!isSame || held.IsIsomapExact))
   {
     return Route::IsomapLookup;
   }
   if (change.Data || isSame)
   {
-    return switches.ImageCache && CanCopy(change, next, held) ? Route::TimeStep : Route::Cold;
+    return switches.Frames && CanCopy(change, next, held) ? Route::TimeStep : Route::Cold;
   }
   if (change.View)
   {
-    return switches.ImageCache && held.Image ? Route::ImageCache : Route::Cold;
+    return switches.Frames && held.Image ? Route::ImageCache : Route::Cold;
   }
-  const std::size_t isovalues = next.Isosurfaces.Isovalues.size();
-  if (last.Isosurfaces.Mode != next.Isosurfaces.Mode || isovalues == 0 || change.Opacity)
+  const std::size_t isovalues = next.Isosurfaces().Isovalues.size();
+  if (last.Isosurfaces().Mode != next.Isosurfaces().Mode || isovalues == 0 || change.Opacity)
   {
     return Route::Cold;
   }

@@ -30,7 +30,7 @@ const char* NameOf(Route route);
 /// Kinds of re-use that the user allows.
 struct ReuseSwitches
 {
-  bool ImageCache = true; ///< the setting ReuseFrames: all earlier pictures
+  bool Frames = true; ///< all earlier pictures
   bool Isomap = true;
   bool RefineWhenStill = true; ///< a repeated view ends in the cold picture
 };

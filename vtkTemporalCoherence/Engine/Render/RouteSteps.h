@@ -22,7 +22,7 @@ inline FrameExtras ExtrasOf(const FrameTask& task)
 {
   const FrameOptions& options = task.Options;
   FrameExtras extras;
-  extras.Disparities = options.Reuse.ImageCache && options.Accuracy == ReuseAccuracy::Paper;
+  extras.Disparities = options.Reuse.Frames && options.Accuracy == ReuseAccuracy::Paper;
   extras.Cells = task.Key.Samples.Shape->Abilities().IsMesh;
   return extras;
 }

@@ -73,7 +73,7 @@ bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
     appearance.Lights[i].Position = next.Appearance.Lights[i].Position;
     appearance.Lights[i].Direction = next.Appearance.Lights[i].Direction;
   }
-  return appearance == next.Appearance && cached.Key.Isosurfaces == next.Isosurfaces &&
+  return appearance == next.Appearance && cached.Key.Isosurfaces() == next.Isosurfaces() &&
     !next.Appearance.ColorByAnswer;
 }
 
@@ -136,7 +136,7 @@ bool TraceFromImage(FrameTask& task, const CachedImage& image)
 {
   const FrameOptions& options = task.Options;
   const bool interpolates = options.InterpolateColors && HasColorsFor(image, task.Key) &&
-    !task.Key.Isosurfaces.IsTranslucent();
+    !task.Key.Isosurfaces().IsTranslucent();
   const LeapedSpace space = Begin(task, options.SpaceLeaping, ExtrasOf(task));
   CachedImage& made = task.Store.Next();
   made.Picture.IsFromCache = true;
@@ -146,7 +146,7 @@ bool TraceFromImage(FrameTask& task, const CachedImage& image)
     Stopwatch watch(task.Statistics.QueryTime);
     query = std::make_unique<ImageQuery>(image, task.Key);
   }
-  const bool isSolid = task.Key.Isosurfaces.Mode == SurfaceMode::Threshold;
+  const bool isSolid = task.Key.Isosurfaces().Mode == SurfaceMode::Threshold;
   const PaperHint hint(*query, isSolid, task.Key.View.Parallel, interpolates);
   return TraceTiles(task, space, &hint, interpolates ? HitSet::NotDefinite : HitSet::All);
 }
@@ -161,7 +161,7 @@ bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes)
 bool CompositeKnownLayers(FrameTask& task)
 {
   const Frame& last = task.Store.Last().Picture;
-  const bool leaps = task.Options.SpaceLeaping && task.Key.Isosurfaces.IsTranslucent();
+  const bool leaps = task.Options.SpaceLeaping && task.Key.Isosurfaces().IsTranslucent();
   const LeapedSpace space = Begin(task, leaps, ExtrasToCopy(task));
   Frame& next = task.Store.Next().Picture;
   next.Behind.resize(last.ClearTiles.size()); // opaque surfaces hide layers, too

@@ -17,9 +17,9 @@ namespace TemporalCoherence
 inline ShadeScene ShadeSceneOf(
   const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space)
 {
-  const bool isTranslucent = key.Isosurfaces.IsTranslucent();
+  const bool isTranslucent = key.Isosurfaces().IsTranslucent();
   return { key, KindOf(key.Samples), finiteRange,
-    isTranslucent ? MakeSurfaceTracer({ key.Samples, key.Isosurfaces, finiteRange, space.Active })
+    isTranslucent ? MakeSurfaceTracer({ key.Samples, key.Isosurfaces(), finiteRange, space.Active })
                   : nullptr,
     space.Active ? space.Bounds : nullptr };
 }

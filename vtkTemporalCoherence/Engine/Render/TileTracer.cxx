@@ -28,11 +28,11 @@ void Count(Answer answer, TraceCounts& counts)
 TileTracer::TileTracer(const TileScene& scene)
   : Scene(scene)
   , Rays(scene.Key.View, scene.Key.Transform, scene.Key.Samples.Dimensions, scene.Key.Region)
-  , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Isosurfaces.Isovalues.empty())
-  , IsSolid(scene.Key.Isosurfaces.Mode == SurfaceMode::Threshold)
-  , Tracer(MakeSurfaceTracer({ scene.Key.Samples, scene.Key.Isosurfaces, scene.FiniteRange,
+  , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Isosurfaces().Isovalues.empty())
+  , IsSolid(scene.Key.Isosurfaces().Mode == SurfaceMode::Threshold)
+  , Tracer(MakeSurfaceTracer({ scene.Key.Samples, scene.Key.Isosurfaces(), scene.FiniteRange,
       scene.Active, scene.Hint != nullptr }))
-  , Alphas(scene.Hint ? std::vector<float>() : AlphasOf(scene.Key.Isosurfaces))
+  , Alphas(scene.Hint ? std::vector<float>() : AlphasOf(scene.Key.Isosurfaces()))
 {
   if (this->HasSurfaces && this->IsSolid && scene.Active && scene.Ranges)
   {

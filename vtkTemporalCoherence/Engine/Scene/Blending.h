@@ -18,12 +18,11 @@ namespace TemporalCoherence
 /// How a ray combines the values along it.
 enum class BlendMode : std::uint8_t
 {
-  Isosurface, ///< only surfaces are seen: FrameKey::Isosurfaces tells which
-  Composite,  ///< the volume emits and absorbs light (Max 1995)
-  Maximum,    ///< the largest value on the ray is seen
-  Minimum,    ///< the smallest
-  Average,    ///< the mean of the values in Blending::AverageRange
-  Additive    ///< the integral of value times opacity
+  Composite, ///< the volume emits and absorbs light (Max 1995)
+  Maximum,   ///< the largest value on the ray is seen
+  Minimum,   ///< the smallest
+  Average,   ///< the mean of the values in Blending::AverageRange
+  Additive   ///< the integral of value times opacity
 };
 
 /// Colour and opacity as functions of a value: linear between nodes, constant beyond the range.
@@ -84,7 +83,7 @@ enum class ComponentUse : std::uint8_t
 /// Settings of a blended volume.
 struct Blending
 {
-  BlendMode Mode = BlendMode::Isosurface;
+  BlendMode Mode = BlendMode::Composite;
   ComponentUse Use = ComponentUse::Independent;
   std::vector<ComponentLook>
     Looks; ///< one for each component; a single one if components are dependent
@@ -97,8 +96,6 @@ struct Blending
   double SampleDistance = 0.0;
   /// For each pixel, the t at which an opaque prop hides the volume; null without such props.
   std::shared_ptr<const std::vector<double>> Ends;
-
-  bool IsOn() const { return this->Mode != BlendMode::Isosurface; }
 };
 
 /// True if both sample equal components at equal places.
@@ -112,9 +109,8 @@ inline bool HaveSameRays(const Blending& a, const Blending& b)
 /// True if both give the same picture of the same samples.
 inline bool operator==(const Blending& a, const Blending& b)
 {
-  return (!a.IsOn() && !b.IsOn()) ||
-    (HaveSameRays(a, b) && a.Looks == b.Looks && a.AverageRange == b.AverageRange &&
-      a.ScalarRanges == b.ScalarRanges);
+  return HaveSameRays(a, b) && a.Looks == b.Looks && a.AverageRange == b.AverageRange &&
+    a.ScalarRanges == b.ScalarRanges;
 }
 
 }

@@ -21,17 +21,18 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
   change.Samples = change.Data && last.Transform == next.Transform && last.Region == next.Region &&
     AreAlike(last.Samples, next.Samples);
   change.View = !(last.View == next.View);
-  change.Surfaces = !AreMetAlike(last.Isosurfaces, next.Isosurfaces);
-  change.Opacity = !change.Surfaces && !(last.Isosurfaces == next.Isosurfaces);
+  change.Surfaces = !AreMetAlike(last.Isosurfaces(), next.Isosurfaces());
+  change.Opacity = !change.Surfaces && !(last.Isosurfaces() == next.Isosurfaces());
   change.Appearance = !(last.Appearance == next.Appearance);
-  change.Volume = !(last.Volume == next.Volume);
+  change.Blending = last.IsBlended() != next.IsBlended() ||
+    (last.IsBlended() && !(last.Blended() == next.Blended()));
   return change;
 }
 
 bool MeetSameLayers(const FrameKey& a, const FrameKey& b)
 {
   const FrameChange change = CompareFrames(a, b);
-  return !change.Data && !change.View && !change.Surfaces && !change.Volume;
+  return !change.Data && !change.View && !change.Surfaces && !change.Blending;
 }
 
 }

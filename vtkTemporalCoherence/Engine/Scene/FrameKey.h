@@ -10,6 +10,8 @@
 #include "Scene/Surfaces.h"
 #include "Scene/View.h"
 
+#include <variant>
+
 namespace TemporalCoherence
 {
 
@@ -20,9 +22,23 @@ struct FrameKey
   IndexTransform Transform;
   TemporalCoherence::Region Region;
   TemporalCoherence::View View;
-  Surfaces Isosurfaces;
+  std::variant<Surfaces, Blending> Shown;
   TemporalCoherence::Appearance Appearance;
-  Blending Volume; ///< if it is on, there are no isosurfaces
+
+  bool IsBlended() const { return std::holds_alternative<Blending>(this->Shown); }
+
+  /// \throws std::bad_variant_access if it is not blended
+  const Blending& Blended() const { return std::get<Blending>(this->Shown); }
+  Blending& Blended() { return std::get<Blending>(this->Shown); }
+
+  /// Without isosurfaces if it is blended.
+  const Surfaces& Isosurfaces() const
+  {
+    static const Surfaces none;
+    return this->IsBlended() ? none : std::get<Surfaces>(this->Shown);
+  }
+  /// \throws std::bad_variant_access if it is blended
+  Surfaces& EditIsosurfaces() { return std::get<Surfaces>(this->Shown); }
 };
 
 /// True if two fields differ in the values of their samples at most, so that fingerprints can find
@@ -39,7 +55,7 @@ struct FrameChange
   bool Surfaces = false; ///< isovalues or mode
   bool Opacity = false;
   bool Appearance = false;
-  bool Volume = false; ///< how the volume is blended
+  bool Blending = false;
 };
 
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next);

@@ -45,7 +45,7 @@ void LayerShader::TakeHits(
 
 void LayerShader::Shade(HitList& hits, ShadedLayer* shaded) const
 {
-  const Surfaces& surfaces = this->Key.Isosurfaces;
+  const Surfaces& surfaces = this->Key.Isosurfaces();
   const GradientOpacity& byGradient = surfaces.ByGradient;
   std::array<RayBatch::Array<double>, 3> gradients;
   ComputeNormals(this->Source, hits, byGradient.Nodes.empty() ? nullptr : &gradients);

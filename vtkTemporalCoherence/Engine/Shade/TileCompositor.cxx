@@ -56,7 +56,7 @@ TileCompositor::TileCompositor(const FrameKey& key, const NormalSource& source,
   , Bounds(bounds)
   , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
   , Tracer(std::move(tracer))
-  , Alphas(AlphasOf(key.Isosurfaces))
+  , Alphas(AlphasOf(key.Isosurfaces()))
 {
 }
 

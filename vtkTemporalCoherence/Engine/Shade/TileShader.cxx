@@ -12,7 +12,7 @@ TileShader::TileShader(const ShadeScene& scene, HitSet normalsOf, HitSet colorsO
   , Source{ scene.Key.Samples, scene.Normals, scene.Key.Transform,
     CapPlanes(RegionClipper(scene.Key.Region, scene.Key.Transform).Planes(), scene.Key.Transform,
       scene.Key.View),
-    scene.Key.Isosurfaces.Isovalues, scene.FiniteRange }
+    scene.Key.Isosurfaces().Isovalues, scene.FiniteRange }
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)
 {

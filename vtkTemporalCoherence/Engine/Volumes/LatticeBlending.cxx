@@ -19,7 +19,7 @@ namespace
 /// True for an image of one component with linear interpolation and no sample distance.
 bool IsPlain(const BlendScene& scene, const GridCoordinates* grid)
 {
-  const Blending& volume = scene.Key.Volume;
+  const Blending& volume = scene.Key.Blended();
   return !grid && scene.Key.Samples.Between == Interpolation::Linear && volume.Others.empty() &&
     volume.SampleDistance == 0.0;
 }
@@ -36,21 +36,21 @@ bool HasTransferRange(const Blending& volume)
 std::shared_ptr<const BlendTracer> MakeLatticeBlendTracer(
   const BlendScene& scene, const GridCoordinates* grid)
 {
-  switch (scene.Key.Volume.Mode)
+  switch (scene.Key.Blended().Mode)
   {
     case BlendMode::Maximum:
     case BlendMode::Minimum:
-      return scene.Key.Volume.SampleDistance > 0.0
+      return scene.Key.Blended().SampleDistance > 0.0
         ? MakeSampledExtremes(scene, grid, &MakeSegmentSource)
         : MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
     case BlendMode::Composite:
       return IsPlain(scene, grid) ? MakeCompositeTracer(scene)
-        : scene.Key.Volume.SampleDistance > 0.0
+        : scene.Key.Blended().SampleDistance > 0.0
         ? MakeSampledTracer(scene, grid, &MakeSegmentSource)
         : MakeConvergedTracer(scene, grid, &MakeSegmentSource);
     case BlendMode::Average:
     case BlendMode::Additive:
-      return IsPlain(scene, grid) && HasTransferRange(scene.Key.Volume)
+      return IsPlain(scene, grid) && HasTransferRange(scene.Key.Blended())
         ? MakeImageShares(scene)
         : MakeShareTracer(scene, grid, &MakeSegmentSource);
     default:

@@ -186,7 +186,7 @@ bool MapperFrames::WriteSurface(vtkPolyData* points, std::string& error) const
   {
     return false;
   }
-  if (frames.LastKey().Volume.IsOn())
+  if (frames.LastKey().IsBlended())
   {
     error = "The last frame shows no surface, since its volume is blended; call "
             "SetBlendModeToIsoSurface() and render, or read depths with GetLastFrame.";

@@ -53,7 +53,7 @@ struct ViewerState
   ShownFrame Shown() const
   {
     return { this->Engine.LastFrame(), this->Engine.LastKey().View, this->PictureSize,
-      this->PictureNumber, this->Engine.LastKey().Volume.IsOn(), this->ComparesDepths };
+      this->PictureNumber, this->Engine.LastKey().IsBlended(), this->ComparesDepths };
   }
 
   Viewer Of;

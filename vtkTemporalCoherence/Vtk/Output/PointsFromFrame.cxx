@@ -106,7 +106,7 @@ void WritePoints(
           positions[3 * at + axis] = position[axis];
           normals[3 * at + axis] = frame.Normals[pixel][axis];
         }
-        isovalues[at] = key.Isosurfaces.Isovalues[surface];
+        isovalues[at] = key.Isosurfaces().Isovalues[surface];
         indices[at] = places[surface];
         std::copy(frame.Colors[pixel].begin(), frame.Colors[pixel].end(), colors + 4 * at);
         ++at;

@@ -203,8 +203,6 @@ std::optional<BlendMode> BlendModeOf(vtkVolumeMapper* mapper)
 {
   switch (mapper->GetBlendMode())
   {
-    case vtkVolumeMapper::ISOSURFACE_BLEND:
-      return BlendMode::Isosurface;
     case vtkVolumeMapper::COMPOSITE_BLEND:
       return BlendMode::Composite;
     case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:

@@ -21,8 +21,8 @@ namespace TemporalCoherence
 
 /// Warns of input that shows nothing at any isovalue: without samples, with all cells hidden, with
 /// NaN in every cell, with flat cells only, or, if blended, with infinite samples only. It warns
-/// once for each volume, and again only after the reason was gone. It ignores input too thin for cells, and mappers that
-/// may draw a part of larger data.
+/// once for each volume, and again only after the reason was gone. It ignores input too thin for
+/// cells, and mappers that may draw a part of larger data.
 class EmptyPicture
 {
 public:

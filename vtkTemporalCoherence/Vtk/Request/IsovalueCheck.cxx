@@ -57,7 +57,7 @@ void Explain(const ValueRangePyramid& ranges, std::ostringstream& what)
 std::string IsovalueCheck::Check(
   const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges)
 {
-  const Surfaces& surfaces = request.Key.Isosurfaces;
+  const Surfaces& surfaces = request.Key.Isosurfaces();
   std::vector<double> isovalues = surfaces.Isovalues;
   const bool isTransparent = isovalues.empty();
   // A user may fade a surface out. But the default 0 is no choice, and opacities are often made for

@@ -86,7 +86,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   FieldQuery query;
   query.Mapper = mapper;
   query.Volume = volume;
-  query.Isovalues = isBlended ? nullptr : &key.Isosurfaces.Isovalues;
+  query.Isovalues = isBlended ? nullptr : &key.Isosurfaces().Isovalues;
   query.Mask = settings.Mask;
   query.NeedsScalarRanges = isBlended;
   query.AveragedGradients = settings.AveragedGradients;
@@ -101,9 +101,9 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   if (isMade && isBlended)
   {
     // Without samples, there are no ranges.
-    key.Volume.ScalarRanges.resize(static_cast<std::size_t>(drawn.Count));
+    key.Blended().ScalarRanges.resize(static_cast<std::size_t>(drawn.Count));
     request.MostScalars.resize(static_cast<std::size_t>(drawn.Count));
-    this->Blendings.MakeTransfers(key.Samples.Type, request.MostScalars, key.Volume);
+    this->Blendings.MakeTransfers(key.Samples.Type, request.MostScalars, key.Blended());
   }
   return isMade;
 }
@@ -112,8 +112,8 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
 bool RequestFromMapper::FindDrawn(vtkVolumeMapper* mapper, const PictureSettings& settings,
   vtkVolume* volume, DrawnComponent& drawn, std::string& error)
 {
-  const std::optional<BlendMode> mode = BlendModeOf(mapper);
-  if (!mode)
+  const bool isBlended = mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND;
+  if (isBlended && !BlendModeOf(mapper))
   {
     error = "Blend mode " + std::to_string(mapper->GetBlendMode()) +
       " is not supported; call SetBlendModeToIsoSurface(), ToComposite(), ToMaximumIntensity(), "
@@ -122,7 +122,7 @@ bool RequestFromMapper::FindDrawn(vtkVolumeMapper* mapper, const PictureSettings
     return false;
   }
   VectorChoice vectors = settings.Vectors;
-  vectors.AreBlended = *mode != BlendMode::Isosurface;
+  vectors.AreBlended = isBlended;
   return this->Fields.Find(mapper, volume->GetProperty(), vectors, drawn, error);
 }
 
@@ -133,15 +133,13 @@ bool RequestFromMapper::MakeSurfaces(const PictureSettings& settings, vtkVolume*
   FrameKey& key = request.Key;
   vtkVolumeProperty* property = volume->GetProperty();
   request.IsovalueList = ChooseIsovalues(property, settings.DepthPass);
-  if (!FindSurfaces(request.IsovalueList, property, drawn.OfProperty, key.Isosurfaces,
-        request.IsovaluePlaces, error))
-  {
-    return false;
-  }
-  key.Isosurfaces.Mode = settings.Mode;
-  return !renderer ||
-    MakeAppearance(
-      property, drawn.OfProperty, renderer, key.Isosurfaces.Isovalues, key.Appearance, error);
+  Surfaces& surfaces = key.Shown.emplace<Surfaces>();
+  surfaces.Mode = settings.Mode;
+  return FindSurfaces(request.IsovalueList, property, drawn.OfProperty, surfaces,
+           request.IsovaluePlaces, error) &&
+    (!renderer ||
+      MakeAppearance(
+        property, drawn.OfProperty, renderer, surfaces.Isovalues, key.Appearance, error));
 }
 
 /// Make the blending of a key's volume and, for a viewer, its lights.
@@ -149,7 +147,7 @@ bool RequestFromMapper::MakeBlending(vtkVolumeMapper* mapper, const PictureSetti
   vtkVolume* volume, vtkRenderer* renderer, const DrawnComponent& drawn, FrameRequest& request,
   std::string& error)
 {
-  Blending& blending = request.Key.Volume;
+  Blending& blending = request.Key.Shown.emplace<Blending>();
   return this->Blendings.Make(mapper, volume, drawn, settings.SampleDistance, blending, error) &&
     (!renderer ||
       BlendingFromVolume::MakeLights(renderer, blending, request.Key.Appearance, error));
@@ -181,26 +179,33 @@ bool RequestFromMapper::MakeScene(
   const FieldQuery& query, int component, FrameRequest& request, std::string& error)
 {
   FrameKey& key = request.Key;
-  const bool isBlended = key.Volume.IsOn();
+  const bool isBlended = key.IsBlended();
   PlacedField field;
   if ((!isBlended &&
         (!MakeGradientOpacity(
-           query.Volume->GetProperty(), component, key.Isosurfaces.ByGradient, error) ||
-          !AreFewEnough(key.Isosurfaces, error))) ||
+           query.Volume->GetProperty(), component, key.EditIsosurfaces().ByGradient, error) ||
+          !AreFewEnough(key.Isosurfaces(), error))) ||
     !this->Fields.Make(query, field, error) ||
     !MakeRegion(query.Mapper, field.Axes, key.Region, error))
   {
     return false;
   }
-  key.Isosurfaces.ByGradient.PerStep = field.PerStep;
-  for (ComponentLook& look : key.Volume.Looks)
+  if (isBlended)
   {
-    look.ByGradient.PerStep = field.PerStep;
+    Blending& volume = key.Blended();
+    for (ComponentLook& look : volume.Looks)
+    {
+      look.ByGradient.PerStep = field.PerStep;
+    }
+    volume.Others = field.Others;
+    volume.ScalarRanges = field.ScalarRanges;
+    request.MostScalars = field.MostScalars;
   }
-  key.Volume.Others = field.Others;
+  else
+  {
+    key.EditIsosurfaces().ByGradient.PerStep = field.PerStep;
+  }
   key.Samples = field.Samples;
-  key.Volume.ScalarRanges = field.ScalarRanges;
-  request.MostScalars = field.MostScalars;
   key.Transform = field.Transform;
   request.SetUp = field.SetUp;
   request.Cells = field.Cells;

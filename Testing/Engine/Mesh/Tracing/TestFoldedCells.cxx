@@ -154,8 +154,8 @@ TEST_P(FoldedCells, HaveTheNormalsOfWhatIsHit)
       key.Appearance.Colors.assign(1, { 1.0, 0.5, 0.2 });
       const glm::ivec3 box(2.0 * tree->ToIndex(glm::dvec3(5.0)));
       key.View = LookAt(box + 1, { 1.0, 2.0, 0.7 }, { Size, Size }, false);
-      key.Isosurfaces.Isovalues = { isCap ? -4.0 : Isovalue };
-      key.Isosurfaces.Mode = isCap ? SurfaceMode::Threshold : SurfaceMode::Crossing;
+      key.EditIsosurfaces().Isovalues = { isCap ? -4.0 : Isovalue };
+      key.EditIsosurfaces().Mode = isCap ? SurfaceMode::Threshold : SurfaceMode::Crossing;
       FrameRenderer renderer;
       renderer.Render(key, {});
       const Frame& frame = renderer.LastFrame();

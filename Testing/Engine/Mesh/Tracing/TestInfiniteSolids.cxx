@@ -46,7 +46,7 @@ TEST_P(InfiniteSolids, AreCapped)
   ASSERT_TRUE(tree);
   FrameKey key;
   key.Samples = MeshField(*tree, MeshKind(tree, false));
-  key.Isosurfaces = { { 0.3 }, SurfaceMode::Threshold };
+  key.EditIsosurfaces() = { { 0.3 }, SurfaceMode::Threshold };
   key.Appearance.Colors = { glm::dvec3(1.0) };
   const glm::ivec3 box(glm::ceil(glm::dvec3(1.0 / tree->Scale())));
   key.View = LookAt(box + 1, { 1.0, 2.0, 0.7 }, { 61, 47 });

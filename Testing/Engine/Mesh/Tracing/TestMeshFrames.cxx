@@ -60,7 +60,7 @@ protected:
     this->Tree = MeshTree::Build(mesh, nullptr, ~std::size_t(0), problem);
     ASSERT_TRUE(this->Tree);
     this->Key.Samples = MeshField(*this->Tree, MeshKind(this->Tree, averagedGradients));
-    this->Key.Isosurfaces.Isovalues = { 0.3 };
+    this->Key.EditIsosurfaces().Isovalues = { 0.3 };
     this->Key.Appearance.Colors.assign(3, { 1.0, 0.5, 0.2 });
     this->Key.Appearance.Shade = true;
     this->Key.Appearance.Lights = { Light() };
@@ -124,7 +124,7 @@ private:
   void SearchAllCells(const MeshKernels::MeshRays& rays, Met* met) const
   {
     const std::uint64_t which = ~std::uint64_t(0) >> (64 - rays.Count);
-    const std::vector<double>& isovalues = this->Key.Isosurfaces.Isovalues;
+    const std::vector<double>& isovalues = this->Key.Isosurfaces().Isovalues;
     for (std::uint32_t number = 0; number < this->Tree->TheMesh().NumberOfCells(); ++number)
     {
       MeshCell cell;
@@ -151,7 +151,7 @@ private:
 
 TEST_P(MeshFrames, ColdFramesFindWhatEveryCellHolds)
 {
-  this->Key.Isosurfaces.Isovalues = { 0.3, -0.5 };
+  this->Key.EditIsosurfaces().Isovalues = { 0.3, -0.5 };
   for (const bool isParallel : { false, true })
   {
     this->LookFrom({ 1.0, 2.0, 0.7 }, isParallel);
@@ -196,13 +196,13 @@ TEST_P(MeshFrames, SweepsAreColdFrames)
   {
     for (const bool isTranslucent : { false, true })
     {
-      this->Key.Isosurfaces.Mode = mode;
-      this->Key.Isosurfaces.Opacities.assign(isTranslucent ? 1 : 0, 0.5);
+      this->Key.EditIsosurfaces().Mode = mode;
+      this->Key.EditIsosurfaces().Opacities.assign(isTranslucent ? 1 : 0, 0.5);
       FrameRenderer renderer;
       std::map<Route, int> routes;
       for (int step = 0; step < DragSteps; ++step)
       {
-        this->Key.Isosurfaces.Isovalues = { 0.3 + 0.02 * step };
+        this->Key.EditIsosurfaces().Isovalues = { 0.3 + 0.02 * step };
         renderer.Render(this->Key, {});
         ++routes[renderer.Statistics().Made];
         const Frame cold = this->Cold();
@@ -220,8 +220,8 @@ TEST_P(MeshFrames, RangesOfIsomapsServeLookUps)
 {
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Isosurfaces.Mode = mode;
-    this->Key.Isosurfaces.Isovalues = { 0.3 };
+    this->Key.EditIsosurfaces().Mode = mode;
+    this->Key.EditIsosurfaces().Isovalues = { 0.3 };
     FrameRenderer::Options options;
     options.Map.Range = { -0.5, 1.5 };
     FrameRenderer renderer;
@@ -229,7 +229,7 @@ TEST_P(MeshFrames, RangesOfIsomapsServeLookUps)
     ASSERT_EQ(renderer.BuildIsomap(this->Key, options), Isomap::Outcome::Built);
     for (int step = 0; step < 8; ++step)
     {
-      this->Key.Isosurfaces.Isovalues = { -0.45 + 0.23 * step };
+      this->Key.EditIsosurfaces().Isovalues = { -0.45 + 0.23 * step };
       renderer.Render(this->Key, options);
       EXPECT_EQ(renderer.Statistics().Made, Route::IsomapLookup);
       const Frame cold = this->Cold();
@@ -251,17 +251,18 @@ TEST_P(MeshFrames, NarrowRangesOfIsomapsServeLookUps)
     const bool isParallel = round % 4 == 3;
     this->LookFrom(
       { anywhere(engine), anywhere(engine), anywhere(engine) }, isParallel, { 73, 81 });
-    this->Key.Isosurfaces.Mode = round % 5 == 4 ? SurfaceMode::Threshold : SurfaceMode::Crossing;
+    this->Key.EditIsosurfaces().Mode =
+      round % 5 == 4 ? SurfaceMode::Threshold : SurfaceMode::Crossing;
     const double low = 0.9 * anywhere(engine), width = std::pow(10.0, -3 + round % 3);
     FrameRenderer::Options options;
     options.Map.Range = { low, low + width };
-    this->Key.Isosurfaces.Isovalues = { low };
+    this->Key.EditIsosurfaces().Isovalues = { low };
     FrameRenderer renderer;
     renderer.Render(this->Key, options);
     ASSERT_EQ(renderer.BuildIsomap(this->Key, options), Isomap::Outcome::Built);
     for (const double share : { 0.0, 0.3, 0.5, 0.8, 1.0 })
     {
-      this->Key.Isosurfaces.Isovalues = { share < 1.0 ? low + share * width : low + width };
+      this->Key.EditIsosurfaces().Isovalues = { share < 1.0 ? low + share * width : low + width };
       renderer.Render(this->Key, options);
       lookedUp += renderer.Statistics().Made == Route::IsomapLookup ? 1 : 0;
       const Frame cold = this->Cold();
@@ -288,7 +289,8 @@ TEST_P(MeshFrames, RangesOfIsomapsServeLookUpsInSlabs)
   for (int round = 0; round < (IsMemorySanitized ? 4 : 24); ++round)
   {
     const double thickness = round % 4 < 2 ? 0.12 : 0.35;
-    this->Key.Isosurfaces.Mode = round % 3 == 2 ? SurfaceMode::Threshold : SurfaceMode::Crossing;
+    this->Key.EditIsosurfaces().Mode =
+      round % 3 == 2 ? SurfaceMode::Threshold : SurfaceMode::Crossing;
     Meshes::Block block;
     block.Cubes = { 3, 1, 3 };
     std::vector<Meshes::DoubleArrays> slabs;
@@ -309,7 +311,7 @@ TEST_P(MeshFrames, RangesOfIsomapsServeLookUpsInSlabs)
     ASSERT_EQ(renderer.BuildIsomap(this->Key, options), Isomap::Outcome::Built);
     for (int step = 0; step < 12; ++step)
     {
-      this->Key.Isosurfaces.Isovalues = { random(-0.59, 0.59) };
+      this->Key.EditIsosurfaces().Isovalues = { random(-0.59, 0.59) };
       renderer.Render(this->Key, options);
       lookedUp += renderer.Statistics().Made == Route::IsomapLookup ? 1 : 0;
       ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold())) << round << ", " << step;
@@ -334,19 +336,19 @@ TEST_P(MeshFrames, RandomWalksAreColdFrames)
     }
     if (chance(2))
     {
-      this->Key.Isosurfaces.Isovalues = { 0.2 + anywhere(engine) };
+      this->Key.EditIsosurfaces().Isovalues = { 0.2 + anywhere(engine) };
       if (chance(3))
       {
-        this->Key.Isosurfaces.Isovalues.push_back(anywhere(engine) - 1.0);
+        this->Key.EditIsosurfaces().Isovalues.push_back(anywhere(engine) - 1.0);
       }
     }
     if (chance(5))
     {
-      this->Key.Isosurfaces.Mode = chance(2) ? SurfaceMode::Crossing : SurfaceMode::Threshold;
+      this->Key.EditIsosurfaces().Mode = chance(2) ? SurfaceMode::Crossing : SurfaceMode::Threshold;
     }
     const bool isTranslucent = chance(3);
-    this->Key.Isosurfaces.Opacities.assign(
-      isTranslucent ? this->Key.Isosurfaces.Isovalues.size() : 0, 0.4);
+    this->Key.EditIsosurfaces().Opacities.assign(
+      isTranslucent ? this->Key.Isosurfaces().Isovalues.size() : 0, 0.4);
     this->Key.Appearance.Ambient = 0.1 * (engine() % 3);
     renderer.Render(this->Key, {});
     ++routes[renderer.Statistics().Made];
@@ -360,7 +362,7 @@ TEST_P(MeshFrames, RandomWalksAreColdFrames)
 
 TEST_P(MeshFrames, ThreadsMakeNoDifference)
 {
-  this->Key.Isosurfaces.Opacities = { 0.5 };
+  this->Key.EditIsosurfaces().Opacities = { 0.5 };
   const Frame frame = this->Cold();
   const std::string before = vtkSMPTools::GetBackend();
   vtkSMPTools::SetBackend("Sequential");
@@ -373,8 +375,8 @@ TEST_P(MeshFrames, ThreadsMakeNoDifference)
 /// A solid that fills the mesh shows its faces.
 TEST_P(MeshFrames, SolidsAreCappedWhereTheMeshEnds)
 {
-  this->Key.Isosurfaces.Mode = SurfaceMode::Threshold;
-  this->Key.Isosurfaces.Isovalues = { -4.0 };
+  this->Key.EditIsosurfaces().Mode = SurfaceMode::Threshold;
+  this->Key.EditIsosurfaces().Isovalues = { -4.0 };
   const Frame frame = this->Cold();
   int caps = 0;
   for (std::size_t pixel = 0; pixel < frame.Kinds.size(); ++pixel)
@@ -387,7 +389,7 @@ TEST_P(MeshFrames, SolidsAreCappedWhereTheMeshEnds)
   }
   EXPECT_GT(caps, 500);
   // Seen through, it has one cap on each ray that meets it, and no surface within.
-  this->Key.Isosurfaces.Opacities = { 0.4 };
+  this->Key.EditIsosurfaces().Opacities = { 0.4 };
   const Frame clear = this->Cold();
   std::size_t layers = 0;
   for (const std::vector<LayerHit>& tile : clear.Layers)
@@ -410,7 +412,7 @@ TEST_P(MeshFrames, AveragedGradientsAreSmooth)
   for (const bool areAveraged : { false, true })
   {
     this->Show(mesh, areAveraged);
-    this->Key.Isosurfaces.Isovalues = { 0.35 };
+    this->Key.EditIsosurfaces().Isovalues = { 0.35 };
     const Frame frame = this->Cold();
     int hits = 0;
     for (std::size_t pixel = 0; pixel < frame.Depth.size(); ++pixel)
@@ -482,7 +484,7 @@ TEST_P(MeshFrames, ValuesThatAreNotFiniteDoNoHarm)
   FrameRenderer renderer;
   for (int step = 0; step < 6; ++step)
   {
-    this->Key.Isosurfaces.Isovalues = { 0.3 + 0.02 * step };
+    this->Key.EditIsosurfaces().Isovalues = { 0.3 + 0.02 * step };
     renderer.Render(this->Key, {});
     const Frame cold = this->Cold();
     EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), cold)) << step;

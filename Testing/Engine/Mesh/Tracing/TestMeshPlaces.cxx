@@ -307,10 +307,10 @@ TEST_P(MeshPlaces, CapsCostAboutWhatOtherHitsCost)
   const glm::ivec3 box(glm::ceil(glm::dvec3(1.0 / this->Tree->Scale())));
   const glm::ivec2 size(IsMemorySanitized ? 64 : 160);
   key.View = LookAt(box + 1, { 1.0, 2.0, 0.7 }, size, false);
-  key.Isosurfaces.Isovalues = { 0.3 };
+  key.EditIsosurfaces().Isovalues = { 0.3 };
   const double ofSurfaces = CostOfHit(key);
-  key.Isosurfaces.Isovalues = { -4.0 };
-  key.Isosurfaces.Mode = SurfaceMode::Threshold;
+  key.EditIsosurfaces().Isovalues = { -4.0 };
+  key.EditIsosurfaces().Mode = SurfaceMode::Threshold;
   // It is 1 to 8 times, with noise. Where each cap was searched for in the mesh, it was 30 to 140.
   EXPECT_LT(CostOfHit(key), 25.0 * ofSurfaces);
 }

@@ -225,7 +225,7 @@ private:
   void MakeVolume(int components)
   {
     using namespace TemporalCoherence;
-    Blending& volume = this->Key.Volume;
+    Blending& volume = this->Key.Shown.emplace<Blending>();
     // Of several components the projections know each by itself, the truth only all together.
     const bool isComposite = this->HasHoles && components > 1;
     volume.Mode = isComposite

@@ -112,12 +112,12 @@ TemporalCoherence::FrameKey MakeBlendKey(const BlendVolume<T>& volume,
   TemporalCoherence::FrameKey key;
   key.Samples = volume.Field;
   key.View = LookAt(volume.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 96, 80 });
-  key.Volume.Mode = mode;
+  key.Shown.emplace<TemporalCoherence::Blending>().Mode = mode;
   TemporalCoherence::ComponentLook look;
   look.Transfer = MakeTransfer(volume.Range, points);
-  key.Volume.Looks = { look };
-  key.Volume.ScalarRanges = { volume.Range };
-  key.Volume.AverageRange =
+  key.Blended().Looks = { look };
+  key.Blended().ScalarRanges = { volume.Range };
+  key.Blended().AverageRange =
     glm::mix(glm::dvec2(volume.Range.x), glm::dvec2(volume.Range.y), glm::dvec2(0.3, 0.9));
   TemporalCoherence::Light light;
   light.Direction = -glm::normalize(glm::dvec3(1.0, 1.4, 1.2));

@@ -19,9 +19,9 @@ public:
     , Key(MakeBlendKey(Volume, mode, BlendLooks::Skin))
     , Samples(Volume.Samples.size() * static_cast<std::size_t>(components))
   {
-    this->Key.Volume.Use = use;
-    this->Key.Volume.Looks.clear();
-    this->Key.Volume.ScalarRanges.clear();
+    this->Key.Blended().Use = use;
+    this->Key.Blended().Looks.clear();
+    this->Key.Blended().ScalarRanges.clear();
     for (int c = 0; c < components; ++c)
     {
       this->FillComponent(c, components);
@@ -34,12 +34,12 @@ public:
       }
       else
       {
-        this->Key.Volume.Others.push_back(field);
+        this->Key.Blended().Others.push_back(field);
       }
-      this->Key.Volume.ScalarRanges.push_back({ 10.0 * c, 255.0 - 20.0 * c });
+      this->Key.Blended().ScalarRanges.push_back({ 10.0 * c, 255.0 - 20.0 * c });
       if (use == TemporalCoherence::ComponentUse::Independent || c == 0)
       {
-        this->Key.Volume.Looks.push_back(this->LookOf(c));
+        this->Key.Blended().Looks.push_back(this->LookOf(c));
       }
     }
   }
@@ -64,7 +64,7 @@ private:
   {
     const std::vector<LookPoint>* const looks[] = { &BlendLooks::Skin, &BlendLooks::Valley,
       &BlendLooks::Peaks, &BlendLooks::Bone };
-    const bool isSum = this->Key.Volume.Mode == TemporalCoherence::BlendMode::Additive;
+    const bool isSum = this->Key.Blended().Mode == TemporalCoherence::BlendMode::Additive;
     TemporalCoherence::ComponentLook look;
     look.Transfer = MakeTransfer(this->Volume.Range, *looks[c]);
     look.UnitDistance = isSum ? 40.0 : 1.0 + 0.5 * c;

@@ -120,7 +120,7 @@ inline void ExpectBlendTruth(const TemporalCoherence::FrameKey& key, int step = 
   const BlendErrors errors = CompareWithTruth(key, BlendedFrame(key), step, coordinates);
   ExpectSmallErrors(errors, "");
   EXPECT_GT(errors.Seen * 25, errors.Compared) << "there is little to see";
-  const TemporalCoherence::Blending& volume = key.Volume;
+  const TemporalCoherence::Blending& volume = key.Blended();
   if (volume.Mode == TemporalCoherence::BlendMode::Composite && volume.Looks.size() == 1 &&
     volume.SampleDistance == 0.0 && !volume.Ends)
   {

@@ -80,7 +80,7 @@ public:
       for (const bool isShaded : { false, true })
       {
         FrameKey key = Small(MakeBlendKey(volume, GetParam(), *points));
-        key.Volume.Looks[0].Material.Shade = isShaded;
+        key.Blended().Looks[0].Material.Shade = isShaded;
         ExpectSameBytes(key);
       }
     }
@@ -111,8 +111,8 @@ TEST_P(BlendBytes, GradientOpacity)
 {
   const BlendVolume<std::uint8_t> volume(BlendSize);
   FrameKey key = Small(MakeBlendKey(volume, GetParam(), BlendLooks::Skin));
-  key.Volume.Looks[0].Material.Shade = true;
-  key.Volume.Looks[0].ByGradient.Nodes = { { 0.0, 0.2 }, { 20.0, 1.0 } };
+  key.Blended().Looks[0].Material.Shade = true;
+  key.Blended().Looks[0].ByGradient.Nodes = { { 0.0, 0.2 }, { 20.0, 1.0 } };
   ExpectSameBytes(key);
 }
 
@@ -127,9 +127,9 @@ TEST(BlendBeamBytes, OfAnyTypeAndLight)
       FrameKey key = MakeBlendKey(volume, BlendMode::Composite, *points);
       key.View = LookAt(key.Samples.Dimensions, { 1.0, 2.0, 0.7 }, { 200, 184 });
       BlendBytes::ExpectSameBytes(key);
-      key.Volume.Looks[0].Material.Shade = true;
+      key.Blended().Looks[0].Material.Shade = true;
       BlendBytes::ExpectSameBytes(key);
-      key.Volume.Looks[0].Material.Specular = 0.5;
+      key.Blended().Looks[0].Material.Specular = 0.5;
       key.Appearance.Lights[0].Diffuse = { 1.0, 0.5, 0.7 };
       BlendBytes::ExpectSameBytes(key);
     }
@@ -146,8 +146,8 @@ TEST_P(BlendBytes, SamplesAtADistance)
 {
   const BlendVolume<std::uint8_t> volume(BlendSize);
   FrameKey key = Small(MakeBlendKey(volume, GetParam(), BlendLooks::Skin));
-  key.Volume.Looks[0].Material.Shade = true;
-  key.Volume.SampleDistance = 0.7;
+  key.Blended().Looks[0].Material.Shade = true;
+  key.Blended().SampleDistance = 0.7;
   ExpectSameBytes(key);
 }
 
@@ -155,7 +155,7 @@ TEST_P(BlendBytes, CellsOfAnyKind)
 {
   const BlendVolume<std::int16_t> volume(BlendSize, { -1000.0, 3000.0 });
   FrameKey key = Small(MakeBlendKey(volume, GetParam(), BlendLooks::Skin));
-  key.Volume.Looks[0].Material.Shade = true;
+  key.Blended().Looks[0].Material.Shade = true;
   FrameKey other = key;
   other.Samples.Between = Interpolation::Nearest;
   ExpectSameBytes(other);

@@ -30,7 +30,7 @@ TEST_P(BlendComponents, ComponentsWithoutWeight)
 {
   ComponentVolume volume(GetParam(), 3, ComponentUse::Independent);
   SKIP_UNLESS_BLENDED(volume.Key);
-  volume.Key.Volume.Looks[1].Weight = 0.0;
+  volume.Key.Blended().Looks[1].Weight = 0.0;
   ExpectBlendTruth(volume.Key, 5);
 }
 
@@ -39,7 +39,7 @@ TEST_P(BlendComponents, ColorAndOpacity)
   ComponentVolume volume(GetParam(), 2, ComponentUse::ColorOpacity);
   SKIP_UNLESS_BLENDED(volume.Key);
   ExpectBlendTruth(volume.Key, 5);
-  volume.Key.Volume.Looks[0].ByGradient.Nodes = { { 0.0, 0.2 }, { 20.0, 1.0 } };
+  volume.Key.Blended().Looks[0].ByGradient.Nodes = { { 0.0, 0.2 }, { 20.0, 1.0 } };
   ExpectBlendTruth(volume.Key, 5);
 }
 
@@ -48,7 +48,7 @@ TEST_P(BlendComponents, RgbAndOpacity)
   ComponentVolume volume(GetParam(), 4, ComponentUse::RgbOpacity);
   SKIP_UNLESS_BLENDED(volume.Key);
   ExpectBlendTruth(volume.Key, 5);
-  volume.Key.Volume.Looks[0].ByGradient.Nodes = { { 0.0, 0.2 }, { 20.0, 1.0 } };
+  volume.Key.Blended().Looks[0].ByGradient.Nodes = { { 0.0, 0.2 }, { 20.0, 1.0 } };
   ExpectBlendTruth(volume.Key, 5);
 }
 
@@ -58,7 +58,7 @@ TEST_P(BlendComponents, NearestInterpolation)
   {
     ComponentVolume volume(GetParam(), 2, use);
     volume.Key.Samples.Between = Interpolation::Nearest;
-    volume.Key.Volume.Others[0].Between = Interpolation::Nearest;
+    volume.Key.Blended().Others[0].Between = Interpolation::Nearest;
     SKIP_UNLESS_BLENDED(volume.Key);
     ExpectBlendTruth(volume.Key, 5);
   }
@@ -73,7 +73,7 @@ TEST_P(BlendComponents, TinyAndHugeWorlds)
     SKIP_UNLESS_BLENDED(volume.Key);
     const glm::dmat4 world = glm::scale(glm::dmat4(1.0), glm::dvec3(scale));
     volume.Key.Transform = { world, glm::inverse(world) };
-    for (ComponentLook& look : volume.Key.Volume.Looks)
+    for (ComponentLook& look : volume.Key.Blended().Looks)
     {
       look.UnitDistance *= scale;
     }

@@ -26,7 +26,7 @@ protected:
     this->Of().Material.Shade = true;
   }
 
-  ComponentLook& Of() { return this->Key.Volume.Looks[0]; }
+  ComponentLook& Of() { return this->Key.Blended().Looks[0]; }
   void Take(const std::vector<LookPoint>& points, std::size_t nodes = 4097)
   {
     this->Of().Transfer = MakeTransfer(this->Volume.Range, points, nodes);
@@ -187,8 +187,8 @@ TEST_F(BlendLook, ThinFogInLongNoise)
   {
     for (const double unit : { 1.5, 4.0 })
     {
-      key.Volume.Looks[0].Transfer = MakeTransfer(this->Volume.Range, *look);
-      key.Volume.Looks[0].UnitDistance = unit;
+      key.Blended().Looks[0].Transfer = MakeTransfer(this->Volume.Range, *look);
+      key.Blended().Looks[0].UnitDistance = unit;
       const BlendErrors errors = CompareWithTruth(key, BlendedFrame(key), 833);
       EXPECT_LE(errors.Largest, 2.0);
     }

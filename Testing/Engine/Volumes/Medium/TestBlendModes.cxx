@@ -42,8 +42,8 @@ protected:
     const auto& [mode, look, isShaded] = GetParam();
     const BlendVolume<T> volume(BlendSize, range);
     FrameKey key = MakeBlendKey(volume, mode, *look.Look);
-    key.Volume.Looks[0].Material.Shade = isShaded;
-    key.Volume.Looks[0].UnitDistance = mode == BlendMode::Additive ? 30.0 : 1.3;
+    key.Blended().Looks[0].Material.Shade = isShaded;
+    key.Blended().Looks[0].UnitDistance = mode == BlendMode::Additive ? 30.0 : 1.3;
     SKIP_UNLESS_BLENDED(key);
     ExpectBlendTruth(key, 5);
   }

@@ -59,7 +59,7 @@ TEST(BlendNormals, AreThoseOfTheFirstThingSeen)
 {
   Ball ball;
   ExpectBall(ball.Key, glm::dvec3(19.5));
-  ball.Key.Volume.Looks[0].Material.Shade = true;
+  ball.Key.Blended().Looks[0].Material.Shade = true;
   ExpectBall(ball.Key, glm::dvec3(19.5));
   ball.Key.View = LookAt({ 40, 40, 40 }, { -1.0, 0.4, 0.3 }, { 80, 80 }, true);
   ExpectBall(ball.Key, glm::dvec3(19.5));
@@ -79,14 +79,14 @@ TEST(BlendNormals, OfColorsAndAnOpacity)
 {
   Ball ball;
   const Grid<float> color({ 40, 40, 40 });
-  ball.Key.Volume.Others = { ball.Key.Samples };
-  ball.Key.Volume.Use = ComponentUse::ColorOpacity;
-  ball.Key.Volume.ScalarRanges.assign(2, ball.Volume.Range);
+  ball.Key.Blended().Others = { ball.Key.Samples };
+  ball.Key.Blended().Use = ComponentUse::ColorOpacity;
+  ball.Key.Blended().ScalarRanges.assign(2, ball.Volume.Range);
   ExpectBall(ball.Key, glm::dvec3(19.5));
-  ball.Key.Volume.Others.assign(3, color.Field);
-  std::swap(ball.Key.Samples.Samples, ball.Key.Volume.Others[2].Samples);
-  ball.Key.Volume.Use = ComponentUse::RgbOpacity;
-  ball.Key.Volume.ScalarRanges.assign(4, ball.Volume.Range);
+  ball.Key.Blended().Others.assign(3, color.Field);
+  std::swap(ball.Key.Samples.Samples, ball.Key.Blended().Others[2].Samples);
+  ball.Key.Blended().Use = ComponentUse::RgbOpacity;
+  ball.Key.Blended().ScalarRanges.assign(4, ball.Volume.Range);
   ExpectBall(ball.Key, glm::dvec3(19.5));
 }
 
@@ -104,13 +104,13 @@ TEST(BlendNormals, AreNoneOfExtremesAndOfSeveralComponents)
   };
   for (const BlendMode mode : { BlendMode::Maximum, BlendMode::Minimum, BlendMode::Additive })
   {
-    ball.Key.Volume.Mode = mode;
+    ball.Key.Blended().Mode = mode;
     expectNone();
   }
-  ball.Key.Volume.Mode = BlendMode::Composite;
-  ball.Key.Volume.Others = { ball.Key.Samples };
-  ball.Key.Volume.Looks.push_back(ball.Key.Volume.Looks[0]);
-  ball.Key.Volume.ScalarRanges.assign(2, ball.Volume.Range);
+  ball.Key.Blended().Mode = BlendMode::Composite;
+  ball.Key.Blended().Others = { ball.Key.Samples };
+  ball.Key.Blended().Looks.push_back(ball.Key.Blended().Looks[0]);
+  ball.Key.Blended().ScalarRanges.assign(2, ball.Volume.Range);
   expectNone();
 }
 

@@ -32,7 +32,7 @@ public:
     const glm::dvec3 direction(this->Real(-1.0, 1.0), this->Real(-1.0, 1.0), this->Real(-1.0, 1.0));
     this->Key.View =
       LookAt(this->Samples.Field.Dimensions, direction, { 57, 49 }, this->Between(0, 1) == 0);
-    ComponentLook& look = this->Key.Volume.Looks[0];
+    ComponentLook& look = this->Key.Blended().Looks[0];
     look.Material.Shade = this->Between(0, 1) == 0;
     look.Material.Specular = this->Real(0.0, 1.0);
     look.Material.Glow = glm::dvec3(this->Real(-0.1, 0.3), 0.0, this->Real(0.0, 0.3));

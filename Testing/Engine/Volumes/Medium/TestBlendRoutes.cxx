@@ -25,13 +25,13 @@ protected:
     : Volume(BlendSize)
     , Key(MakeBlendKey(Volume, GetParam(), BlendLooks::Skin))
   {
-    this->Key.Volume.Looks[0].Material.Shade = true;
+    this->Key.Blended().Looks[0].Material.Shade = true;
   }
 
   /// One change after the other, as users make them.
   void Change(int step)
   {
-    ComponentLook& look = this->Key.Volume.Looks[0];
+    ComponentLook& look = this->Key.Blended().Looks[0];
     switch (step % 9)
     {
       case 0:
@@ -60,8 +60,8 @@ protected:
         ++this->Key.Samples.Stamp;
         break;
       case 7:
-        this->Key.Volume.AverageRange.x += 3.0;
-        this->Key.Volume.ScalarRanges[0].y -= 3.0;
+        this->Key.Blended().AverageRange.x += 3.0;
+        this->Key.Blended().ScalarRanges[0].y -= 3.0;
         break;
       default:
         this->Key.Region.Clips = { { 1.0, 0.0, 0.0, -0.5 * step } };
@@ -81,7 +81,7 @@ TEST_P(BlendRoutes, SpaceLeapingDoesNotChangeThePicture)
   for (const auto* points : { &BlendLooks::Skin, &BlendLooks::Peaks, &BlendLooks::Bone,
          &BlendLooks::Valley, &BlendLooks::Fog })
   {
-    this->Key.Volume.Looks[0].Transfer = MakeTransfer(this->Volume.Range, *points);
+    this->Key.Blended().Looks[0].Transfer = MakeTransfer(this->Volume.Range, *points);
     EXPECT_TRUE(ShowTheSame(BlendedFrame(this->Key), BlendedFrame(this->Key, plain)));
     const FrameKey fine = FineKey(this->Key);
     EXPECT_TRUE(ShowTheSame(BlendedFrame(fine), BlendedFrame(fine, plain))) << "in fine pixels";
@@ -118,7 +118,7 @@ TEST_P(BlendRoutes, OtherColorsOfAProjectionNeedNoSearch)
   SKIP_UNLESS_BLENDED(this->Key);
   FrameRenderer renderer;
   renderer.Render(this->Key, {});
-  std::vector<glm::dvec4>& nodes = this->Key.Volume.Looks[0].Transfer.Nodes;
+  std::vector<glm::dvec4>& nodes = this->Key.Blended().Looks[0].Transfer.Nodes;
   const auto expect = [&](const char* what, bool areTraced)
   {
     renderer.Render(this->Key, {});
@@ -135,10 +135,10 @@ TEST_P(BlendRoutes, OtherColorsOfAProjectionNeedNoSearch)
   this->Key.Appearance.ColorScale = 0.5;
   this->Key.Appearance.ColorShift = 0.1;
   expect("window and level", false);
-  this->Key.Volume.Looks[0].Material.Diffuse = 0.3;
+  this->Key.Blended().Looks[0].Material.Diffuse = 0.3;
   expect("light", false);
   FrameOptions options;
-  options.Reuse.ImageCache = false;
+  options.Reuse.Frames = false;
   this->Key.Appearance.ColorScale = 0.6;
   renderer.Render(this->Key, options);
   EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
@@ -166,7 +166,7 @@ protected:
         point.At = 1.0 - point.At;
       }
     }
-    this->Key.Volume.Looks[0].Transfer = MakeTransfer(this->Volume.Range, points);
+    this->Key.Blended().Looks[0].Transfer = MakeTransfer(this->Volume.Range, points);
   }
 };
 
@@ -208,8 +208,7 @@ TEST_P(BlendRoutes, VolumesAndSurfacesInTurn)
   SKIP_UNLESS_BLENDED(this->Key);
   FrameRenderer renderer;
   FrameKey surfaces = this->Key;
-  surfaces.Volume = Blending();
-  surfaces.Isosurfaces.Isovalues = { 150.0 };
+  surfaces.Shown.emplace<Surfaces>().Isovalues = { 150.0 };
   surfaces.Appearance.Colors = { { 1.0, 0.5, 0.2 } };
   surfaces.Appearance.Shade = true;
   for (int turn = 0; turn < 3; ++turn)

@@ -29,8 +29,8 @@ protected:
     , Key(MakeBlendKey(
         Volume, GetParam(), GetParam() == BlendMode::Minimum ? BlendLooks::Fog : BlendLooks::Skin))
   {
-    this->Key.Volume.Looks[0].Material.Shade = true;
-    this->Key.Volume.Looks[0].UnitDistance = GetParam() == BlendMode::Additive ? 20.0 : 1.0;
+    this->Key.Blended().Looks[0].Material.Shade = true;
+    this->Key.Blended().Looks[0].UnitDistance = GetParam() == BlendMode::Additive ? 20.0 : 1.0;
   }
 
   BlendVolume<std::uint8_t> Volume;
@@ -127,7 +127,7 @@ TEST_P(BlendScenes, OpaqueThingsInside)
     ends->push_back(x % 9 == 0 ? std::numeric_limits<double>::infinity()
                                : middle + 0.5 * (x - 30) + 0.1 * (pixel % 7));
   }
-  this->Key.Volume.Ends = ends;
+  this->Key.Blended().Ends = ends;
   ExpectBlendTruth(this->Key);
 }
 
@@ -153,7 +153,7 @@ TEST_P(BlendScenes, NearestInterpolation)
   this->Key.Samples.Between = Interpolation::Nearest;
   SKIP_UNLESS_BLENDED(this->Key);
   ExpectBlendTruth(this->Key);
-  this->Key.Volume.Looks[0].Transfer = MakeTransfer(this->Volume.Range, BlendLooks::Step);
+  this->Key.Blended().Looks[0].Transfer = MakeTransfer(this->Volume.Range, BlendLooks::Step);
   ExpectBlendTruth(this->Key);
 }
 
@@ -169,8 +169,8 @@ TEST_P(BlendScenes, TurnedAndStretched)
   const glm::dvec3 eye = centre + glm::dvec3(150.0, 60.0, 70.0);
   ASSERT_TRUE(MakeView(glm::lookAt(eye, centre, glm::dvec3(0, 0, 1)),
     glm::perspective(0.45, 1.2, 50.0, 400.0), { 50.0, 400.0 }, { 70, 58 }, this->Key.View));
-  this->Key.Volume.Looks[0].ByGradient.Nodes = { { 1.0, 0.1 }, { 15.0, 1.0 } };
-  this->Key.Volume.Looks[0].ByGradient.PerStep = { 2.2, 1.1, 0.55 };
+  this->Key.Blended().Looks[0].ByGradient.Nodes = { { 1.0, 0.1 }, { 15.0, 1.0 } };
+  this->Key.Blended().Looks[0].ByGradient.PerStep = { 2.2, 1.1, 0.55 };
   ExpectBlendTruth(this->Key, 5);
 }
 
@@ -208,7 +208,7 @@ TEST_P(BlendScenes, ValuesThatAreNotFinite)
   SKIP_UNLESS_BLENDED(this->Key);
   for (const bool isShaded : { false, true })
   {
-    this->Key.Volume.Looks[0].Material.Shade = isShaded;
+    this->Key.Blended().Looks[0].Material.Shade = isShaded;
     ExpectBlendTruth(this->Key);
   }
   // Gradients of other kinds are read elsewhere.
@@ -230,7 +230,7 @@ TEST_P(BlendScenes, WindowAndLevel)
 
 TEST_P(BlendScenes, LongStepsAreVtks)
 {
-  this->Key.Volume.SampleDistance = 0.7;
+  this->Key.Blended().SampleDistance = 0.7;
   SKIP_UNLESS_BLENDED(this->Key);
   ExpectBlendTruth(this->Key);
 }

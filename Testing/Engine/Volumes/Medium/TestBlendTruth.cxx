@@ -26,13 +26,13 @@ protected:
   {
     this->Key.Samples = this->Samples.Field;
     this->Key.View = LookAt(glm::ivec3(5), { 0.0, 0.0, 1.0 }, { 9, 9 }, true);
-    this->Key.Volume.Mode = BlendMode::Composite;
+    this->Key.Shown.emplace<Blending>().Mode = BlendMode::Composite;
     ComponentLook look;
     look.Transfer.Range = { 0.0, 100.0 };
     look.Transfer.Nodes = { { 0.5, 0.5, 0.5, 0.0 }, { 0.5, 0.5, 0.5, 1.0 } };
-    this->Key.Volume.Looks = { look };
-    this->Key.Volume.ScalarRanges = { { 0.0, 100.0 } };
-    this->Key.Volume.AverageRange = { 0.0, 100.0 };
+    this->Key.Blended().Looks = { look };
+    this->Key.Blended().ScalarRanges = { { 0.0, 100.0 } };
+    this->Key.Blended().AverageRange = { 0.0, 100.0 };
   }
 
   /// The pixel in the middle: its ray passes 4 voxels.
@@ -45,7 +45,7 @@ protected:
 TEST_F(BlendTruthTest, AConstantFieldAbsorbsByBeersLaw)
 {
   this->Samples.Fill([](int, int, int) { return 30.0; });
-  this->Key.Volume.Looks[0].UnitDistance = 2.0;
+  this->Key.Blended().Looks[0].UnitDistance = 2.0;
   const double alpha = 1.0 - std::pow(0.7, 2.0);
   EXPECT_NEAR(this->Middle().w, alpha, 1e-9);
   EXPECT_NEAR(this->Middle().x, 0.5 * alpha, 1e-9);
@@ -70,7 +70,7 @@ TEST_F(BlendTruthTest, OpacityOneIsOpaqueAtOnce)
 TEST_F(BlendTruthTest, AThinPeakIsNotSteppedOver)
 {
   this->Samples.Fill([](int, int, int k) { return 25.0 * k; });
-  auto& nodes = this->Key.Volume.Looks[0].Transfer.Nodes;
+  auto& nodes = this->Key.Blended().Looks[0].Transfer.Nodes;
   nodes.assign(10001, { 1.0, 1.0, 1.0, 0.0 });
   nodes[6123].w = 0.5;
   // A triangle 0.02 values wide: 0.0008 voxels.
@@ -83,24 +83,24 @@ TEST_F(BlendTruthTest, ExtremesInsideOfCellsAreFound)
   // In the cell in the middle, the field along a diagonal is highest in between.
   this->Samples.Fill([](int i, int j, int) { return (i + j) % 2 ? 80.0 : 10.0; });
   this->Key.View = LookAt(glm::ivec3(5), { 1.0, 1.0, 0.0 }, { 9, 9 }, true);
-  this->Key.Volume.Mode = BlendMode::Maximum;
+  this->Key.Blended().Mode = BlendMode::Maximum;
   EXPECT_NEAR(this->Middle().w, 0.45, 1e-9) << "half way along the diagonals of faces";
-  this->Key.Volume.Mode = BlendMode::Minimum;
+  this->Key.Blended().Mode = BlendMode::Minimum;
   EXPECT_NEAR(this->Middle().w, 0.1, 1e-9);
 }
 
 TEST_F(BlendTruthTest, SumsAndMeansAreVtks)
 {
   this->Samples.Fill([](int, int, int k) { return 25.0 * k; });
-  this->Key.Volume.Mode = BlendMode::Average;
+  this->Key.Blended().Mode = BlendMode::Average;
   EXPECT_NEAR(this->Middle().x, 1.0 / 3.0, 1e-12) << "the mean of x^2";
   EXPECT_EQ(this->Middle().w, 1.0);
-  this->Key.Volume.AverageRange = { 50.0, 100.0 };
+  this->Key.Blended().AverageRange = { 50.0, 100.0 };
   EXPECT_NEAR(this->Middle().x, 7.0 / 12.0, 1e-12);
-  this->Key.Volume.AverageRange = { 101.0, 102.0 };
+  this->Key.Blended().AverageRange = { 101.0, 102.0 };
   EXPECT_EQ(this->Middle(), glm::dvec4(0.0));
-  this->Key.Volume.Mode = BlendMode::Additive;
-  this->Key.Volume.Looks[0].UnitDistance = 8.0;
+  this->Key.Blended().Mode = BlendMode::Additive;
+  this->Key.Blended().Looks[0].UnitDistance = 8.0;
   EXPECT_NEAR(this->Middle().x, 4.0 / 3.0 / 8.0, 1e-12);
 }
 
@@ -108,7 +108,7 @@ TEST_F(BlendTruthTest, IsTheLimitOfVtksSamples)
 {
   this->Samples.FillRandomly(0.0, 100.0, 5);
   this->Key.View = LookAt(glm::ivec3(5), { 1.0, 0.7, 0.4 }, { 9, 9 });
-  ComponentLook& look = this->Key.Volume.Looks[0];
+  ComponentLook& look = this->Key.Blended().Looks[0];
   look.Transfer.Nodes = { { 1.0, 0.2, 0.1, 0.0 }, { 0.1, 0.6, 0.1, 0.9 }, { 0.3, 0.2, 1.0, 0.1 },
     { 0.9, 0.9, 0.4, 0.4 } };
   look.Material.Shade = true;
@@ -119,9 +119,9 @@ TEST_F(BlendTruthTest, IsTheLimitOfVtksSamples)
   for (const BlendMode mode : { BlendMode::Composite, BlendMode::Maximum, BlendMode::Minimum,
          BlendMode::Average, BlendMode::Additive })
   {
-    this->Key.Volume.Mode = mode;
+    this->Key.Blended().Mode = mode;
     FrameKey sampled = this->Key;
-    sampled.Volume.SampleDistance = 0.0005; // times a slope of about 3 in opacity
+    sampled.Blended().SampleDistance = 0.0005; // times a slope of about 3 in opacity
     const BlendTruth exact(this->Key), steps(sampled);
     for (int pixel = 0; pixel < 81; pixel += 4)
     {

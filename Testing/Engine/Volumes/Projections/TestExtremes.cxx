@@ -42,8 +42,8 @@ struct ExtremeScene
   ExtremeScene(const Grid<T>& grid, bool isMinimum)
   {
     this->Key.Samples = grid.Field;
-    this->Key.Volume.Mode = isMinimum ? BlendMode::Minimum : BlendMode::Maximum;
-    this->Key.Volume.Looks = { Look(
+    this->Key.Shown.emplace<Blending>().Mode = isMinimum ? BlendMode::Minimum : BlendMode::Maximum;
+    this->Key.Blended().Looks = { Look(
       { 0.0, 200.0 }, { 1.0, 0.5, 0.0, 0.0 }, { 0.0, 0.5, 1.0, 1.0 }) };
   }
 

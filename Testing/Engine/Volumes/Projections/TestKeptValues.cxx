@@ -24,7 +24,7 @@ protected:
   /// Other colours, and what else does not change what rays meet.
   void Recolor(FrameKey& key)
   {
-    for (ComponentLook& look : key.Volume.Looks)
+    for (ComponentLook& look : key.Blended().Looks)
     {
       const double red = this->Share(this->Random), green = this->Share(this->Random);
       for (glm::dvec4& node : look.Transfer.Nodes)
@@ -42,7 +42,7 @@ protected:
   /// The same, and other opacities.
   void ChangeOpacity(FrameKey& key)
   {
-    for (ComponentLook& look : key.Volume.Looks)
+    for (ComponentLook& look : key.Blended().Looks)
     {
       const double first = 0.8 * this->Share(this->Random), last = 0.2 + this->Share(this->Random);
       const auto nodes = static_cast<double>(look.Transfer.Nodes.size() - 1);
@@ -114,7 +114,7 @@ TEST_P(KeptValues, CellsOfAnyKind)
   other.Samples.Shape = RectilinearKind(Stretched(BlendSize, 4.0, 3));
   this->ExpectColdBytes(other);
   other = key;
-  other.Volume.SampleDistance = 0.7;
+  other.Blended().SampleDistance = 0.7;
   this->ExpectColdBytes(other);
 }
 

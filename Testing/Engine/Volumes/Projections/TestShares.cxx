@@ -31,8 +31,8 @@ protected:
     look.Transfer = { { 0.0, 100.0 },
       { glm::dvec4(0.0), glm::dvec4(0.0), glm::dvec4(0.4), glm::dvec4(0.9) } };
     look.UnitDistance = 9.0;
-    this->Key.Volume.Looks = { look };
-    this->Key.Volume.ScalarRanges = { { 0.0, 100.0 } };
+    this->Key.Shown.emplace<Blending>().Looks = { look };
+    this->Key.Blended().ScalarRanges = { { 0.0, 100.0 } };
   }
 
   BlendErrors Errors() const { return CompareWithTruth(this->Key, BlendedFrame(this->Key), 1); }
@@ -43,7 +43,7 @@ protected:
 
 TEST_F(BlendShares, ASumOfNothingIsBlack)
 {
-  this->Key.Volume.Mode = BlendMode::Additive;
+  this->Key.Blended().Mode = BlendMode::Additive;
   const BlendErrors errors = this->Errors();
   EXPECT_LT(errors.Largest, 1.0);
   EXPECT_GT(errors.Seen * PixelsForOne, 500);
@@ -51,8 +51,8 @@ TEST_F(BlendShares, ASumOfNothingIsBlack)
 
 TEST_F(BlendShares, AnAverageOfNothingIsNotSeen)
 {
-  this->Key.Volume.Mode = BlendMode::Average;
-  this->Key.Volume.AverageRange = { 30.5, 80.0 };
+  this->Key.Blended().Mode = BlendMode::Average;
+  this->Key.Blended().AverageRange = { 30.5, 80.0 };
   const BlendErrors errors = this->Errors();
   EXPECT_LT(errors.Largest, 1.0);
   EXPECT_GT(errors.Seen * PixelsForOne, 20);
@@ -66,7 +66,7 @@ TEST_F(BlendShares, AnAverageOfValuesRoundedIntoItsRangeIsNotSeen)
   Grid<double> samples({ 12, 10, 11 });
   const auto coordinates = Stretched(samples.Field.Dimensions, 3.0, 7);
   this->Key.View = LookAt(samples.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 60, 50 });
-  this->Key.Volume.Mode = BlendMode::Average;
+  this->Key.Blended().Mode = BlendMode::Average;
   const auto expectNothing = [&](const char* which)
   {
     for (const bool leaps : { true, false })
@@ -82,19 +82,19 @@ TEST_F(BlendShares, AnAverageOfValuesRoundedIntoItsRangeIsNotSeen)
   const auto expectNothingOfAll = [&]
   {
     this->Key.Samples = samples.Field;
-    this->Key.Volume.SampleDistance = 0.0;
+    this->Key.Blended().SampleDistance = 0.0;
     expectNothing("an image");
     this->Key.Samples.Shape = RectilinearKind(coordinates);
     expectNothing("a grid");
-    this->Key.Volume.SampleDistance = 0.1;
+    this->Key.Blended().SampleDistance = 0.1;
     expectNothing("a grid, samples at a distance");
   };
   samples.Fill(
     [](int i, int j, int k) { return (i + 2 * j + 3 * k) % 5 == 0 ? -9e18 : 30.0 + (i + j) % 7; });
-  this->Key.Volume.AverageRange = { 37.0, 48.0 };
+  this->Key.Blended().AverageRange = { 37.0, 48.0 };
   expectNothingOfAll();
   samples.Fill([](int, int, int) { return 30.1; });
-  this->Key.Volume.AverageRange = { std::nextafter(30.1, 31.0), 48.0 };
+  this->Key.Blended().AverageRange = { std::nextafter(30.1, 31.0), 48.0 };
   expectNothingOfAll();
 }
 

@@ -72,14 +72,14 @@ class CompositeTracer final
 public:
   explicit CompositeTracer(const BlendScene& scene)
     : Samples(scene.Key.Samples)
-    , Look(scene.Key.Volume.Looks.front())
+    , Look(scene.Key.Blended().Looks.front())
     , Tables(Look, MostDepth / ShortestEdge(scene))
     , Arcs(Tables, ArcTolerance / ShortestEdge(scene))
     , Reader(Samples, Tables.Low, Tables.PerValue)
     , Cells(Samples, Tables.Low, Tables.PerValue)
     , ByGradient(Look.ByGradient)
     , Active(scene.Visible)
-    , Seen(SeenBinsOf(VisibleBands(scene.Key.Volume), Tables))
+    , Seen(SeenBinsOf(VisibleBands(scene.Key.Blended()), Tables))
     , Lights(scene.Key.Appearance, Look.Material)
     , Volume{ Tables, ByGradient, Look.Material.Shade ? &Lights : nullptr }
     , Position(scene.Key.View.Position)

@@ -28,7 +28,7 @@ void AddLight(const glm::dvec4& color, double weight, std::size_t ray, BlendedRa
 }
 
 ExtremeLook::ExtremeLook(const BlendScene& scene, const GridCoordinates* grid)
-  : Volume(scene.Key.Volume)
+  : Volume(scene.Key.Blended())
   , Looks(Volume)
 {
   if (!this->Looks.AreIndependent())

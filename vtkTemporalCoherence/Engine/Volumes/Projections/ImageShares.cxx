@@ -34,12 +34,12 @@ class ImageShares final
 {
 public:
   explicit ImageShares(const BlendScene& scene)
-    : ShareLook(scene.Key.Volume)
+    : ShareLook(scene.Key.Blended())
     , Samples(scene.Key.Samples)
-    , Unit(scene.Key.Volume.Looks.front().UnitDistance)
-    , Table(scene.Key.Volume.Looks.front().Transfer, scene.Key.Volume.ScalarRanges.front())
+    , Unit(scene.Key.Blended().Looks.front().UnitDistance)
+    , Table(scene.Key.Blended().Looks.front().Transfer, scene.Key.Blended().ScalarRanges.front())
     , Reader(Samples, Table.Low, Table.PerValue)
-    , Volume(this->VolumeOf(scene.Key.Volume))
+    , Volume(this->VolumeOf(scene.Key.Blended()))
     , Active(scene.Visible)
   {
     if (!this->Active)
@@ -48,7 +48,7 @@ public:
       // its range, even from far away if a sample is far away.
       const ValueBand all{ -Infinity, Infinity };
       this->All.BuildVisible(this->Samples, *scene.Ranges,
-        this->IsAverage ? *VisibleBands(scene.Key.Volume) : std::vector<ValueBand>{ all });
+        this->IsAverage ? *VisibleBands(scene.Key.Blended()) : std::vector<ValueBand>{ all });
       this->Active = &this->All;
     }
     if (this->IsAverage)

@@ -26,10 +26,10 @@ class ShareTracer final : public ShareLook
 {
 public:
   ShareTracer(const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make)
-    : ShareLook(scene.Key.Volume)
+    : ShareLook(scene.Key.Blended())
     , Samples(scene.Key)
     , Cells(make(scene, grid))
-    , RangeEnds{ scene.Key.Volume.AverageRange.x, scene.Key.Volume.AverageRange.y }
+    , RangeEnds{ scene.Key.Blended().AverageRange.x, scene.Key.Blended().AverageRange.y }
   {
     for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
     {

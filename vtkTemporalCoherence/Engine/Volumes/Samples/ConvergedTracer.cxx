@@ -239,7 +239,7 @@ class ConvergedTracer final : public BlendTracer
 {
 public:
   ConvergedTracer(const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make)
-    : Looks(scene.Key.Volume)
+    : Looks(scene.Key.Blended())
     , Tables(scene, Looks)
     , WorldFromIndex(scene.Key.Transform.WorldFromIndex)
     , Cells(make(scene, grid))

@@ -33,7 +33,7 @@ LookTables::LookTables(const BlendScene& scene, const ComponentLooks& looks)
   : Edge(scene.Key.Samples.Shape->VoxelSizeIn(scene.Key.Transform).Shortest)
 {
   this->Made.EdgesPerLength = static_cast<float>(1.0 / this->Edge);
-  this->Made.Use = looks.AreIndependent() ? ComponentUse::Independent : scene.Key.Volume.Use;
+  this->Made.Use = looks.AreIndependent() ? ComponentUse::Independent : scene.Key.Blended().Use;
   this->Made.WorldFromGradient = NormalMatrix(scene.Key.Transform);
   this->Made.AreEven = scene.Key.Samples.Between == Interpolation::Nearest;
   this->Made.RowsOfSegment = this->Made.AreEven ? looks.Parts() : looks.Components();
@@ -83,7 +83,7 @@ void LookTables::AddScales(const BlendScene& scene, const ComponentLooks& looks)
     const bool isColor = this->Made.Use == ComponentUse::RgbOpacity && c < 3;
     if (isColor)
     {
-      const glm::dvec2& range = scene.Key.Volume.ScalarRanges[c];
+      const glm::dvec2& range = scene.Key.Blended().ScalarRanges[c];
       const double width = range.y - range.x;
       this->Scales[c] = { range.x, width > 0.0 ? 1.0 / width : 0.0, 0.0 };
     }

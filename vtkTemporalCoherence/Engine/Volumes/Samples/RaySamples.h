@@ -23,7 +23,7 @@ public:
   /// \param key outlives this
   explicit RaySamples(const FrameKey& key)
     : Key(key)
-    , Step(key.Volume.SampleDistance)
+    , Step(key.Blended().SampleDistance)
   {
   }
 

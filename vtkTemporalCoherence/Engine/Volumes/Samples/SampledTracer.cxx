@@ -22,7 +22,7 @@ class SampledTracer final : public BlendTracer
 public:
   SampledTracer(const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make)
     : Key(scene.Key)
-    , Looks(Key.Volume)
+    , Looks(Key.Blended())
     , Samples(Key)
     , Cells(make(scene, grid))
   {

@@ -39,7 +39,7 @@ public:
     , Visible(scene.Visible)
   {
     this->Components.emplace_back(scene.Key.Samples);
-    for (const Field& other : scene.Key.Volume.Others)
+    for (const Field& other : scene.Key.Blended().Others)
     {
       this->Components.emplace_back(other);
     }

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import struct
 from typing import Callable
 
 SIZE = (5, 4, 4)
@@ -159,6 +160,72 @@ SCALARS ball float {t(1)}
 LOOKUP_TABLE default
 {text_of(values(), rarely)}
 """.encode()
+
+
+def netcdf(dimensions: dict[str, int], variables: dict[str, tuple], texts: dict[str, object]) -> bytes:
+    """A file in netCDF's classic format: Unidata, "NetCDF Classic Format Specification".
+
+    A dimension of 0 is that of records, of which there is one. Variables are (dimensions, type, values,
+    attributes); types "c", "i" and "d" are those of struct.
+    """
+    types = {"c": (2, 1), "i": (4, 4), "d": (6, 8)}
+
+    def number(value):
+        return struct.pack(">i", value)
+
+    def name(text):
+        return number(len(text)) + padded(text.encode())
+
+    def padded(data):
+        return data + bytes(-len(data) % 4)
+
+    def listed(tag, items):
+        return (number(tag) if items else number(0)) + number(len(items)) + b"".join(items)
+
+    def attributes(of):
+        return listed(12, [
+            name(key) + (number(2) + name(value) if isinstance(value, str) else
+                         number(4) + number(1) + number(value) if isinstance(value, int) else
+                         number(5) + number(1) + struct.pack(">f", value)) for key, value in of.items()])
+
+    names = list(dimensions)
+    contents = {}
+    for key, (axes, code, values, _) in variables.items():
+        data = values.encode().ljust(math.prod(dimensions[a] or 1 for a in axes), b"\0") if code == "c" \
+            else struct.pack(f">{len(values)}{code}", *values)
+        contents[key] = padded(data)
+    order = sorted(variables, key=lambda key: any(dimensions[axis] == 0 for axis in variables[key][0]))
+
+    def head(begins):
+        return b"CDF\1" + number(1) + listed(
+            10, [name(key) + number(size) for key, size in dimensions.items()]) + attributes(texts) + listed(
+                11, [name(key) + number(len(variables[key][0])) +
+                     b"".join(number(names.index(axis)) for axis in variables[key][0]) +
+                     attributes(variables[key][3]) + number(types[variables[key][1]][0]) +
+                     number(len(contents[key])) + number(begins.get(key, 0)) for key in variables])
+
+    begins, at = {}, len(head({}))
+    for key in order:
+        begins[key] = at
+        at += len(contents[key])
+    return head(begins) + b"".join(contents[key] for key in order)
+
+
+def exodus() -> bytes:
+    """Hexahedra with a value at each node, at one time."""
+    count, ids = len(points()), [number + 1 for cell in cells() for number in cell]
+    return netcdf(
+        {"len_string": 33, "time_step": 0, "num_dim": 3, "num_nodes": count, "num_elem": len(cells()),
+         "num_el_blk": 1, "num_el_in_blk1": len(cells()), "num_nod_per_el1": 8, "num_nod_var": 1},
+        {"time_whole": (("time_step",), "d", [0.0], {}),
+         "eb_status": (("num_el_blk",), "i", [1], {}),
+         "eb_prop1": (("num_el_blk",), "i", [1], {"name": "ID"}),
+         **{f"coord{axis}": (("num_nodes",), "d", [point[i] for point in points()], {})
+            for i, axis in enumerate("xyz")},
+         "connect1": (("num_el_in_blk1", "num_nod_per_el1"), "i", ids, {"elem_type": "HEX8"}),
+         "name_nod_var": (("num_nod_var", "len_string"), "c", "ball", {}),
+         "vals_nod_var1": (("time_step", "num_nodes"), "d", values(), {})},
+        {"api_version": 5.0, "version": 5.0, "floating_point_word_size": 8, "file_size": 1, "title": "a ball"})
 
 
 def rarer(twist) -> Callable[[object], object]:

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import pathlib
 import shutil
@@ -241,6 +242,10 @@ class Arrays(Files):
             "</PointData>\n")))
         self.assert_refused(told, "'nothing'", "--array (ever)")
 
+    def test_all_arrays_of_a_legacy_file(self) -> None:
+        for array in ("ball", "more", "steps"):
+            self.assertEqual(self.read(ORIGINALS["vtk-large"](same), array).array, array)
+
     def test_cells_of_images(self) -> None:
         numbers = " ".join(map(str, range(27)))
         text = f"""<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
@@ -287,11 +292,193 @@ class Arrays(Files):
         self.assertTrue(20.0 < told.range[1] <= 26.0, told.range)
 
 
+class WholeFiles(Files):
+    """What is missing in a file is not drawn as if it were there."""
+
+    KINDS = [kind for kind in ORIGINALS if kind not in ("raw", "session", "npy") and not kind.startswith("dicom")]
+
+    def assert_whole_or_refused(self, original: Original, cuts) -> None:
+        path = self.write(original)
+        whole = self.tell(path)
+        self.assertEqual(whole.status, 0, whole.said)
+        for name, data in original.files.items():
+            for size in cuts(len(data)):
+                (self.folder / name).write_bytes(data[:size])
+                told = self.tell(path)
+                if told.said != whole.said:
+                    with self.subTest(name=name, size=size):
+                        self.assert_refused(told, *([path.name] if len(original.files) == 1 else ["'"]))
+            (self.folder / name).write_bytes(data)
+
+    def test_files_that_are_cut(self) -> None:
+        for kind in self.KINDS:
+            with self.subTest(kind=kind):
+                self.assert_whole_or_refused(
+                    ORIGINALS[kind](same), lambda n: (n // 3, 2 * n // 3, 9 * n // 10, n - 40, n - 8, n - 1))
+
+    def test_exodus_files_that_are_cut(self) -> None:
+        original = Original("a.e", {"a.e": meshes.exodus()})
+        if "suffix" in self.tell(self.write(original)).said:
+            self.skipTest("This VTK has no reader of Exodus files.")
+        self.assertEqual(self.tell(self.folder / "a.e").array, "ball")
+        # The values are the last 640 bytes.
+        self.assert_whole_or_refused(original, lambda n: (n // 3, n - 700, n - 640, n - 320, n - 8, n - 1))
+
+    def test_arrays_that_end_early(self) -> None:
+        """In a file that goes on after them."""
+        for kind, end, cut in (("vti-binary", b"</DataArray", 400), ("vti-raw", b"</AppendedData", 2000),
+                               ("vti-base64", b"</AppendedData", 200)):
+            data = ORIGINALS[kind](same).files["a.vti"]
+            at = data.index(end)
+            told = self.tell(self.write(Original("a.vti", {"a.vti": data[:at - cut] + data[at:]})))
+            self.assert_refused(told, "a.vti", "'ball' ends before")
+            told = self.tell(self.write(Original("a.vti", {"a.vti": data.replace(b'offset="0"', b'offset="900"')})))
+            self.assertEqual(told.status == 0, kind == "vti-binary")
+
+    @staticmethod
+    def pieces(extents, whole: str = "0 7 0 4 0 4", has_cells: bool = False) -> bytes:
+        text = ""
+        for extent in extents:
+            ends = list(map(int, extent.split()))
+            points, cells = (math.prod(b - a + more for a, b in zip(ends[::2], ends[1::2])) for more in (1, 0))
+            text += f'<Piece Extent="{extent}"><PointData>' + meshes.array(
+                "ball", "Float32", range(100, 100 + points), same) + "</PointData>" + (
+                    "<CellData>" + meshes.array("more", "Float32", range(cells), same) + "</CellData>"
+                    if has_cells else "") + "</Piece>"
+        return f"""<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian"><ImageData WholeExtent="{whole}"
+Origin="0 0 0" Spacing="1 1 1">{text}</ImageData></VTKFile>""".encode()
+
+    def test_pieces_that_do_not_cover_the_extent(self) -> None:
+        for extents, has_cells, hole in (
+                (("0 3 0 4 0 4", "3 7 0 4 0 4"), True, ""),
+                (("0 5 0 4 0 4", "2 7 0 4 0 4"), True, ""),
+                (("0 3 0 4 0 4", "4 7 0 4 0 4"), False, ""),
+                (("0 3 0 4 0 4", "4 7 0 4 0 4"), True, "cell (3, 0, 0)"),
+                (("0 3 0 4 0 4",), False, "point (4, 0, 0)"),
+                (("0 7 0 4 0 4",), True, ""),
+                (("0 3 0 4 0 4", "3 7 0 4 0 2"), False, "point (4, 0, 3)")):
+            original = Original("a.vti", {"a.vti": self.pieces(extents, has_cells=has_cells)})
+            if hole:
+                self.assert_refused(self.tell(self.write(original)), "a.vti", hole)
+            else:
+                self.assertEqual(self.read(original).range[0], 100.0)
+
+    def test_parallel_images(self) -> None:
+        def pvti(pieces) -> bytes:
+            return ('<VTKFile type="PImageData" version="1.0"><PImageData WholeExtent="0 7 0 4 0 4" GhostLevel="0" '
+                    'Origin="0 0 0" Spacing="1 1 1"><PPointData><PDataArray type="Float32" Name="ball"/></PPointData>' +
+                    "".join(f'<Piece Extent="{extent}" Source="{name}"/>' for name, extent in pieces) +
+                    "</PImageData></VTKFile>").encode()
+        extents = {"b.vti": "0 3 0 4 0 4", "c.vti": "3 7 0 4 0 4"}
+        files = {name: self.pieces([extent], extent) for name, extent in extents.items()}
+        self.assertEqual(self.read(Original("a.pvti", {"a.pvti": pvti(extents.items()), **files})).range[0], 100.0)
+        told = self.tell(self.write(Original("a.pvti", {"a.pvti": pvti([("b.vti", extents["b.vti"])])})))
+        self.assert_refused(told, "a.pvti", "point (4, 0, 0)")
+        told = self.tell(self.write(Original("a.pvti", {"a.pvti": pvti([*extents.items(), ("d.vti", "0 3 0 4 0 4")])})))
+        self.assert_refused(told, "a.pvti", "d.vti", "not there")
+
+    def test_meta_images_that_contradict_themselves(self) -> None:
+        plain = meta(True)(same).files["a.mha"]
+        text = b"BinaryData = False"
+        for old, new, words in (
+                (b"NDims = 3", b"NDims = 2", "NDims"), (b"DimSize = 9 8 7", b"DimSize = 9 8", "NDims"),
+                (b"DimSize = 9 8 7", b"DimSize = 9 8 0", "less than 1"),
+                (b"Channels = 1", b"Channels = 0", "less than 1"), (b"Channels = 1", b"Channels = 2", "fewer samples"),
+                (b"MET_SHORT", b"MET_FLOAT", "fewer samples"), (b"HeaderSize = -1", b"HeaderSize = 20", "HeaderSize"),
+                (b"HeaderSize = -1", b"HeaderSize = 9000", "fewer samples"),
+                (b"HeaderSize = -1", b"HeaderSize = 0\nElementByteOrderMSB = True", "contradicts"),
+                (b"BinaryData = True", text, "fewer samples"), (b"CompressedData = False", b"CompressedData = True", "fewer"),
+                (b"= LOCAL", b"= b.raw", "b.raw")):
+            told = self.tell(self.write(Original("a.mha", {"a.mha": plain.replace(old, new, 1)})))
+            with self.subTest(new=new):
+                self.assert_refused(told, "a.mha", words)
+
+    def test_meta_images_with_more_than_their_header_tells(self) -> None:
+        original = meta(False)(same)
+        told = self.read(original)
+        self.assertEqual(told.remark, "")
+        original.files["a.raw"] += bytes(10)
+        more = self.read(original)
+        self.assertEqual(more.range, told.range)
+        self.assertIn("10 bytes more", more.remark)
+
+    def test_meta_images_of_slices(self) -> None:
+        slices = {f"{k}.raw": bytes([k, 0]) * 72 for k in range(1, 8)}
+        header = meta(False)(same).files["a.mhd"]
+        for names, is_whole in ((b"%d.raw 1 7 1", True), (b"%d.raw 1 6 1", False), (b"%d.raw 1 7 2", False),
+                                (b"LIST\n" + b"\n".join(map(str.encode, slices)) + b"\n", True),
+                                (b"LIST\n1.raw\n2.raw\n", False)):
+            original = Original("a.mhd", {"a.mhd": header.replace(b"a.raw", names), **slices})
+            if is_whole:
+                self.assertEqual(self.read(original).range, (1.0, 7.0))
+            else:
+                self.assert_refused(self.tell(self.write(original)), "a.mhd", "slices")
+
+    def test_all_levels_of_an_adaptive_grid(self) -> None:
+        original = ORIGINALS["vthb"](same)
+        fine = original.files["1.vti"]
+        at = fine.index(b'format="ascii">') + 15
+        original.files["1.vti"] = fine[:at] + b"1000 " * 63 + b"1001" + fine[fine.index(b"</DataArray"):]
+        self.assertEqual(self.read(original).range[1], 1001.0)
+
+    def test_blocks_of_another_size_than_their_boxes(self) -> None:
+        original = ORIGINALS["vthb"](same)
+        original.files["a.vthb"] = original.files["a.vthb"].replace(b'amr_box="0 3', b'amr_box="0 90')
+        self.assert_refused(self.tell(self.write(original)), "a.vthb", "0.vti", "amr_box")
+
+
+class Values(Files):
+    def doubles(self, low: float, high: float) -> Original:
+        original = ORIGINALS["vti-raw"](same)
+        data = original.files["a.vti"]
+        begin, count = data.index(b">_") + 6, math.prod(SIZE)
+        values = struct.pack(f"<{count}d", *(high if i % 3 else low for i in range(count)))
+        original.files["a.vti"] = data[:begin] + values + data[begin + len(values):]
+        return original
+
+    def test_ranges_at_the_ends_of_what_numbers_hold(self) -> None:
+        for low, high in ((0.0, 5e-324), (1.0, 1.0 + 2e-16), (-5e-324, 5e-324), (1e16, 1e16 + 2), (0.0, 1.7e308)):
+            path = self.write(self.doubles(low, high))
+            told = self.tell(path)
+            self.assertEqual(told.status, 0, told.said)
+            drawn = self.tell(path, way="orbit")
+            self.assertTrue(os.WIFEXITED(drawn.status) and drawn.said.count("\n") <= 1, (low, high, drawn.said))
+            self.assertNotIn("nan", drawn.said)
+
+    def test_advice_that_fits_the_file(self) -> None:
+        for low, high in ((3.0, 3.0), (-1.7e308, 1.7e308)):
+            path = self.write(self.doubles(low, high))
+            told = self.tell(path)
+            self.assert_refused(told, "a.vti")
+            self.assertNotIn("--raw", told.said)
+        (self.folder / "a.raw").write_bytes(bytes(27))
+        self.assert_refused(self.tell(self.folder / "a.raw", "3,3,3,uchar", "orbit"), "a.raw", "--raw")
+
+
 class Lists(Files):
-    def vtm(self, name: str) -> Original:
+    def vtm(self, *names: str) -> Original:
+        sets = "".join(f'<DataSet index="{i}" file="{name}"/>' for i, name in enumerate(names))
         text = f"""<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>
-<Piece index="0"><DataSet index="0" file="{name}"/></Piece></vtkMultiBlockDataSet></VTKFile>"""
+<Piece index="0">{sets}</Piece></vtkMultiBlockDataSet></VTKFile>"""
         return Original("a.vtm", {"a.vtm": text.encode(), "b.vtu": meshes.vtu(same)})
+
+    def test_parts_that_cannot_be_read_are_named(self) -> None:
+        for name, data in (("c.vtu", meshes.vtu(same)[:1500]), ("c.vtu", b""), ("c.txt", b"no grid"),
+                           ("c.vtk", meshes.legacy(same)), ("c.vtp", b"no grid"),
+                           ("c.vtu", meshes.vtu(same).replace(b"UnstructuredGrid", b"Nothing"))):
+            original = self.vtm("b.vtu", name)
+            original.files[name] = data
+            self.assert_refused(self.tell(self.write(original)), "a.vtm", name)
+
+    def test_parts_without_cells_are_named(self) -> None:
+        original = self.vtm("b.vtu", "c.vtu")
+        original.files["c.vtu"] = meshes.xml(
+            "UnstructuredGrid", 'NumberOfPoints="0" NumberOfCells="0"', "<Points>" + meshes.array(
+                "Points", "Float32", (), same, 3) + "</Points><Cells>" + "".join(
+                    meshes.array(name, "Int64", (), same) for name in ("connectivity", "offsets", "types")) + "</Cells>")
+        told = self.read(original)
+        self.assertEqual(told.array, "ball")
+        self.assertIn("c.vtu', which has no cells", told.remark)
 
     def test_pieces(self) -> None:
         self.assertEqual(self.read(self.vtm("b.vtu")).array, "ball")

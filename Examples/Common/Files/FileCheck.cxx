@@ -155,25 +155,3 @@ void RequireBytesFor(const std::string& path, double bytes)
     throw Damaged(path, "its header tells of more samples than it can hold");
   }
 }
-
-void RequireParts(const std::string& path)
-{
-  const std::string text = BytesOf(path, MostOfList);
-  std::error_code error;
-  for (const char* attribute : { " file=\"", " Source=\"" })
-  {
-    for (std::size_t at = text.find(attribute); at != std::string::npos;
-         at = text.find(attribute, at))
-    {
-      at += std::string(attribute).size();
-      const std::string name = text.substr(at, text.find('"', at) - at);
-      const bool isPlain = !name.empty() && name.find('&') == std::string::npos;
-      const fs::path part = fs::path(path).parent_path() / name;
-      if (isPlain && !fs::is_regular_file(part, error))
-      {
-        throw UserError(Quoted(path) + " names the file " + Quoted(part.string()) +
-          ", which is not there; put it there, or correct the name.");
-      }
-    }
-  }
-}

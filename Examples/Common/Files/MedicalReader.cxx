@@ -3,7 +3,9 @@
 #include "Files/MedicalReader.h"
 
 #include "Files/FileCheck.h"
+#include "Files/WholeCheck.h"
 #include "Program/Quoted.h"
+#include "Program/Silence.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataArrayRange.h>
@@ -123,6 +125,21 @@ void SetDirection(const std::string& path, const std::string& text, vtkImageData
   image->SetDirectionMatrix(direction);
 }
 
+// MetaIO tells of short files on the terminal.
+vtkSmartPointer<vtkImageData> ReadSamples(
+  vtkMetaImageReader* reader, const std::string& path, const ReadingProgress& progress)
+{
+  const Silence silence;
+  const vtkSmartPointer<vtkImageData> image = ReadImage(reader, path, progress);
+  const std::string said = silence.SaidByLibraries();
+  if (silence.HeardErrors() || said.find("not read completely") != std::string::npos ||
+    said.find("Uncompress failed") != std::string::npos)
+  {
+    throw Damaged(path, "its samples, or a file of them, end too early");
+  }
+  return image;
+}
+
 }
 
 void ReadMetaImage(const std::string& path, const ReadingProgress& progress, Volume& volume)
@@ -130,7 +147,11 @@ void ReadMetaImage(const std::string& path, const ReadingProgress& progress, Vol
   std::map<std::string, std::string> fields = FieldsOf(path);
   RequireKnownType(path, fields["ElementType"]);
   vtkNew<vtkMetaImageReader> reader;
-  const vtkSmartPointer<vtkImageData> image = ReadImage(reader.Get(), path, progress);
+  if (reader->CanReadFile(path.c_str()))
+  {
+    volume.Remark = RequireWholeMetaImage(path, fields);
+  }
+  const vtkSmartPointer<vtkImageData> image = ReadSamples(reader, path, progress);
   Rescale(image, reader->GetRescaleSlope(), reader->GetRescaleOffset());
   for (const char* key : { "Orientation", "Rotation", "TransformMatrix" })
   {

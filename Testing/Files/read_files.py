@@ -421,10 +421,17 @@ Origin="0 0 0" Spacing="1 1 1">{text}</ImageData></VTKFile>""".encode()
         original.files["1.vti"] = fine[:at] + b"1000 " * 63 + b"1001" + fine[fine.index(b"</DataArray"):]
         self.assertEqual(self.read(original).range[1], 1001.0)
 
-    def test_blocks_of_another_size_than_their_boxes(self) -> None:
-        original = ORIGINALS["vthb"](same)
-        original.files["a.vthb"] = original.files["a.vthb"].replace(b'amr_box="0 3', b'amr_box="0 90')
-        self.assert_refused(self.tell(self.write(original)), "a.vthb", "0.vti", "amr_box")
+    def test_adaptive_grids_that_vtk_reads_beyond_its_memory(self) -> None:
+        for old, new, words in (
+                (b'amr_box="0 3', b'amr_box="0 90', "0.vti' has not the size of its amr_box"),
+                (b'amr_box="0 3', b'amr_box="3 0', "no volume"), (b'amr_box="0 3 ', b'amr_box="', "amr_box"),
+                (b'level="1"', b'level="7"', "levels are not numbered"), (b'index="0"', b'index="1"', "blocks are not numbered"),
+                (b"index=", b"indEx=", "an index or"), (b'spacing="0.5 0.5 0.5"', b'spacing="4 4 4"', "no finer cells"),
+                (b'spacing="1 ', b'spacing="0 ', "a spacing is missing")):
+            original = ORIGINALS["vthb"](same)
+            original.files["a.vthb"] = original.files["a.vthb"].replace(old, new, 1)
+            with self.subTest(new=new):
+                self.assert_refused(self.tell(self.write(original)), "a.vthb", words)
 
 
 class Values(Files):

@@ -17,7 +17,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 
 namespace
 {
@@ -315,26 +317,105 @@ std::vector<std::string> PartsOf(const std::string& path, vtkXMLDataElement* roo
   return parts;
 }
 
-// VTK's reader marks cells of a block by its box, whether the block has them or not.
-void RequireSizeOfBox(const std::string& path, vtkXMLDataElement* block)
+// VTK's reader takes levels, numbers and boxes of blocks as indices of what it has in memory.
+class AdaptiveBlocks
 {
-  const std::optional<Box> box = BoxOf(block, "amr_box");
-  const std::string part = (fs::path(path).parent_path() / AttributeOf(block, "file")).string();
-  if (!box || !EndsWith(LowerCase(part), ".vti"))
+public:
+  AdaptiveBlocks(const std::string& path, vtkXMLDataElement* root)
+    : Path(path)
   {
-    return;
-  }
-  XmlFile file(part);
-  vtkXMLDataElement* image = file.Root->FindNestedElementWithName("ImageData");
-  const std::optional<Box> whole = image ? BoxOf(image, "WholeExtent") : std::nullopt;
-  for (std::size_t axis = 0; whole && axis < 6; axis += 2)
-  {
-    if ((*whole)[axis + 1] - (*whole)[axis] != (*box)[axis + 1] - (*box)[axis] + 1)
+    ForEach(root,
+      [this](vtkXMLDataElement* element)
+      {
+        if (std::strcmp(element->GetName(), "Block") == 0)
+        {
+          this->Add(element);
+        }
+      });
+    int level = 0;
+    double coarser = 0.0;
+    for (const auto& [number, of] : this->Levels)
     {
-      throw Damaged(path, "its block " + Quoted(part) + " has not the size of its amr_box");
+      this->Require(number == level, "its levels are not numbered from 0");
+      this->Require(
+        level == 0 || std::round(coarser / of.Spacing) >= 1.0, "a finer level has no finer cells");
+      this->Require(of.Blocks.size() == static_cast<std::size_t>(*of.Blocks.rbegin()) + 1,
+        "its blocks are not numbered from 0");
+      coarser = of.Spacing;
+      ++level;
     }
   }
-}
+
+private:
+  struct Level
+  {
+    double Spacing = 0.0;
+    std::set<int> Blocks;
+  };
+
+  void Require(bool isSo, const char* otherwise) const
+  {
+    if (!isSo)
+    {
+      throw Damaged(this->Path, otherwise);
+    }
+  }
+
+  void Add(vtkXMLDataElement* element)
+  {
+    int number = -1;
+    std::array<double, 3> spacing{};
+    const bool hasBoth = element->GetScalarAttribute("level", number) == 1 &&
+      element->GetVectorAttribute("spacing", 3, spacing.data()) == 3;
+    this->Require(hasBoth &&
+        std::all_of(spacing.begin(), spacing.end(),
+          [](double step) { return step > 0.0 && std::isfinite(step); }),
+      "a level or a spacing is missing");
+    Level& level = this->Levels[number];
+    level.Spacing = spacing[0];
+    for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+    {
+      vtkXMLDataElement* block = element->GetNestedElement(i);
+      const std::optional<Box> box = BoxOf(block, "amr_box");
+      int index = -1;
+      this->Require(block->GetScalarAttribute("index", index) == 1 && index >= 0 && box,
+        "an index or an amr_box is missing");
+      level.Blocks.insert(index);
+      this->RequireSize(block, *box);
+    }
+    this->Require(!level.Blocks.empty(), "a level has no blocks");
+  }
+
+  void RequireSize(vtkXMLDataElement* block, const Box& box) const
+  {
+    constexpr int Farthest = 1 << 24; // so that finer levels can be counted, too
+    for (std::size_t axis = 0; axis < 6; axis += 2)
+    {
+      this->Require(
+        -Farthest <= box[axis] && box[axis] <= box[axis + 1] && box[axis + 1] <= Farthest,
+        "an amr_box has no volume, or lies too far away");
+    }
+    const std::string part =
+      (fs::path(this->Path).parent_path() / AttributeOf(block, "file")).string();
+    if (!EndsWith(LowerCase(part), ".vti"))
+    {
+      return;
+    }
+    XmlFile file(part);
+    vtkXMLDataElement* image = file.Root->FindNestedElementWithName("ImageData");
+    const std::optional<Box> whole = image ? BoxOf(image, "WholeExtent") : std::nullopt;
+    for (std::size_t axis = 0; axis < 6; axis += 2)
+    {
+      if (!whole || (*whole)[axis + 1] - (*whole)[axis] != box[axis + 1] - box[axis] + 1)
+      {
+        throw Damaged(this->Path, "its block " + Quoted(part) + " has not the size of its amr_box");
+      }
+    }
+  }
+
+  std::string Path;
+  std::map<int, Level> Levels;
+};
 
 void RequireWholeXml(const std::string& path, int depth)
 {
@@ -359,6 +440,11 @@ void RequireWholeXml(const std::string& path, int depth)
       }
     }
   }
+  const std::string type = AttributeOf(file.Root, "type");
+  if (type == "vtkOverlappingAMR" || type == "vtkHierarchicalBoxDataSet")
+  {
+    AdaptiveBlocks(path, file.Root);
+  }
   ForEach(file.Root,
     [&](vtkXMLDataElement* element)
     {
@@ -366,10 +452,6 @@ void RequireWholeXml(const std::string& path, int depth)
       if (name == "DataArray" || name == "Array")
       {
         file.RequireArray(element);
-      }
-      else if (name == "DataSet")
-      {
-        RequireSizeOfBox(path, element);
       }
       else if (element->GetAttribute("WholeExtent"))
       {

@@ -162,6 +162,33 @@ LOOKUP_TABLE default
 """.encode()
 
 
+def pieces(extents, whole: str = "0 7 0 4 0 4", has_cells: bool = False) -> bytes:
+    """An image in pieces, with values of 100 and more at its points."""
+    text = ""
+    for extent in extents:
+        ends = list(map(int, extent.split()))
+        of_points, of_cells = (
+            range(100, 100 + math.prod(b - a + more for a, b in zip(ends[::2], ends[1::2]))) for more in (1, 0))
+        text += f'<Piece Extent="{extent}"><PointData>' + array("ball", "Float32", of_points, str) + "</PointData>"
+        text += "<CellData>" + array("more", "Float32", of_cells, str) + "</CellData>" if has_cells else ""
+        text += "</Piece>"
+    return f"""<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian"><ImageData WholeExtent="{whole}"
+Origin="0 0 0" Spacing="1 1 1">{text}</ImageData></VTKFile>""".encode()
+
+
+def hexahedra_and_quad(where: str) -> bytes:
+    """Two hexahedra between values of 0 and 1, and a quad between values of 100, in PointData or CellData."""
+    places = [(x, y, z) for x in range(3) for z in (0, 1) for y in (0, 1)] + [
+        (9, 0, 0), (9, 1, 0), (9, 1, 1), (9, 0, 1)]
+    numbers = [place[0] / 2 if place[0] < 9 else 100 for place in places] if where == "PointData" else [0, 1, 100]
+    corners = [(0, 4, 5, 1, 2, 6, 7, 3), (4, 8, 9, 5, 6, 10, 11, 7), (12, 13, 14, 15)]
+    content = f"<{where}>" + array("value", "Float32", numbers, str) + f"</{where}><Points>" + array(
+        "Points", "Float32", [x for place in places for x in place], str, 3) + "</Points><Cells>" + \
+        array("connectivity", "Int64", [p for cell in corners for p in cell], str) + \
+        array("offsets", "Int64", (8, 16, 20), str) + array("types", "UInt8", (12, 12, 9), str) + "</Cells>"
+    return xml("UnstructuredGrid", f'NumberOfPoints="{len(places)}" NumberOfCells="3"', content)
+
+
 def netcdf(dimensions: dict[str, int], variables: dict[str, tuple], texts: dict[str, object]) -> bytes:
     """A file in netCDF's classic format: Unidata, "NetCDF Classic Format Specification".
 

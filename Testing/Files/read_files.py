@@ -15,7 +15,7 @@ import tempfile
 import unittest
 
 import meshes
-from originals import ORIGINALS, SIZE, Original, dicom, meta, nifti
+from originals import META_CONTRADICTIONS, ORIGINALS, SIZE, Original, dicom, meta, nifti
 
 OPENER = ""
 
@@ -259,19 +259,8 @@ class Arrays(Files):
 
     def test_values_of_faces_are_not_offered(self) -> None:
         """Two hexahedra between values of 0 and 1, and a quad between values of 100."""
-        points = [(x, y, z) for x in range(3) for z in (0, 1) for y in (0, 1)] + [
-            (9, 0, 0), (9, 1, 0), (9, 1, 1), (9, 0, 1)]
-        values = [point[0] / 2 if point[0] < 9 else 100 for point in points]
-        cells = [(0, 4, 5, 1, 2, 6, 7, 3), (4, 8, 9, 5, 6, 10, 11, 7), (12, 13, 14, 15)]
         for where in ("PointData", "CellData"):
-            numbers = values if where == "PointData" else [0, 1, 100]
-            content = f"<{where}>" + self.array("value", numbers) + f"</{where}><Points>" + meshes.array(
-                "Points", "Float32", [x for point in points for x in point], same, 3) + "</Points><Cells>" + \
-                meshes.array("connectivity", "Int64", [p for cell in cells for p in cell], same) + \
-                meshes.array("offsets", "Int64", (8, 16, 20), same) + \
-                meshes.array("types", "UInt8", (12, 12, 9), same) + "</Cells>"
-            told = self.read(Original("a.vtu", {"a.vtu": meshes.xml(
-                "UnstructuredGrid", f'NumberOfPoints="{len(points)}" NumberOfCells="3"', content)}))
+            told = self.read(Original("a.vtu", {"a.vtu": meshes.hexahedra_and_quad(where)}))
             self.assertEqual(told.range, (0.0, 1.0))
 
     def test_cells_of_meshes_are_averaged(self) -> None:
@@ -335,19 +324,6 @@ class WholeFiles(Files):
             told = self.tell(self.write(Original("a.vti", {"a.vti": data.replace(b'offset="0"', b'offset="900"')})))
             self.assertEqual(told.status == 0, kind == "vti-binary")
 
-    @staticmethod
-    def pieces(extents, whole: str = "0 7 0 4 0 4", has_cells: bool = False) -> bytes:
-        text = ""
-        for extent in extents:
-            ends = list(map(int, extent.split()))
-            points, cells = (math.prod(b - a + more for a, b in zip(ends[::2], ends[1::2])) for more in (1, 0))
-            text += f'<Piece Extent="{extent}"><PointData>' + meshes.array(
-                "ball", "Float32", range(100, 100 + points), same) + "</PointData>" + (
-                    "<CellData>" + meshes.array("more", "Float32", range(cells), same) + "</CellData>"
-                    if has_cells else "") + "</Piece>"
-        return f"""<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian"><ImageData WholeExtent="{whole}"
-Origin="0 0 0" Spacing="1 1 1">{text}</ImageData></VTKFile>""".encode()
-
     def test_pieces_that_do_not_cover_the_extent(self) -> None:
         for extents, has_cells, hole in (
                 (("0 3 0 4 0 4", "3 7 0 4 0 4"), True, ""),
@@ -357,7 +333,7 @@ Origin="0 0 0" Spacing="1 1 1">{text}</ImageData></VTKFile>""".encode()
                 (("0 3 0 4 0 4",), False, "point (4, 0, 0)"),
                 (("0 7 0 4 0 4",), True, ""),
                 (("0 3 0 4 0 4", "3 7 0 4 0 2"), False, "point (4, 0, 3)")):
-            original = Original("a.vti", {"a.vti": self.pieces(extents, has_cells=has_cells)})
+            original = Original("a.vti", {"a.vti": meshes.pieces(extents, has_cells=has_cells)})
             if hole:
                 self.assert_refused(self.tell(self.write(original)), "a.vti", hole)
             else:
@@ -370,7 +346,7 @@ Origin="0 0 0" Spacing="1 1 1">{text}</ImageData></VTKFile>""".encode()
                     "".join(f'<Piece Extent="{extent}" Source="{name}"/>' for name, extent in pieces) +
                     "</PImageData></VTKFile>").encode()
         extents = {"b.vti": "0 3 0 4 0 4", "c.vti": "3 7 0 4 0 4"}
-        files = {name: self.pieces([extent], extent) for name, extent in extents.items()}
+        files = {name: meshes.pieces([extent], extent) for name, extent in extents.items()}
         self.assertEqual(self.read(Original("a.pvti", {"a.pvti": pvti(extents.items()), **files})).range[0], 100.0)
         told = self.tell(self.write(Original("a.pvti", {"a.pvti": pvti([("b.vti", extents["b.vti"])])})))
         self.assert_refused(told, "a.pvti", "point (4, 0, 0)")
@@ -379,16 +355,7 @@ Origin="0 0 0" Spacing="1 1 1">{text}</ImageData></VTKFile>""".encode()
 
     def test_meta_images_that_contradict_themselves(self) -> None:
         plain = meta(True)(same).files["a.mha"]
-        text = b"BinaryData = False"
-        for old, new, words in (
-                (b"NDims = 3", b"NDims = 2", "NDims"), (b"DimSize = 9 8 7", b"DimSize = 9 8", "NDims"),
-                (b"DimSize = 9 8 7", b"DimSize = 9 8 0", "less than 1"),
-                (b"Channels = 1", b"Channels = 0", "less than 1"), (b"Channels = 1", b"Channels = 2", "fewer samples"),
-                (b"MET_SHORT", b"MET_FLOAT", "fewer samples"), (b"HeaderSize = -1", b"HeaderSize = 20", "HeaderSize"),
-                (b"HeaderSize = -1", b"HeaderSize = 9000", "fewer samples"),
-                (b"HeaderSize = -1", b"HeaderSize = 0\nElementByteOrderMSB = True", "contradicts"),
-                (b"BinaryData = True", text, "fewer samples"), (b"CompressedData = False", b"CompressedData = True", "fewer"),
-                (b"= LOCAL", b"= b.raw", "b.raw")):
+        for old, new, words in META_CONTRADICTIONS:
             told = self.tell(self.write(Original("a.mha", {"a.mha": plain.replace(old, new, 1)})))
             with self.subTest(new=new):
                 self.assert_refused(told, "a.mha", words)

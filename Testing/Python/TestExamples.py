@@ -375,8 +375,8 @@ class Volumes(Example):
             self.assert_refused(words, program, *arguments)
 
 
-class Headers(Example):
-    """What files of scanners say is applied."""
+class Files(Example):
+    """Files that are read here, by what the examples share."""
 
     def setUp(self):
         super().setUp()
@@ -389,6 +389,10 @@ class Headers(Example):
         path = self.folder / name
         path.write_bytes(data)
         return read_volume(str(path))
+
+
+class Headers(Files):
+    """What files of scanners say is applied."""
 
     def place(self, image, index):
         point = [0.0, 0.0, 0.0]
@@ -467,6 +471,116 @@ class Headers(Example):
             self.run_well("render_server.py", "a.vti", "--isovalue", 0.5, "--azimuth", 0, *arguments)
             pixels = read_png(path=self.folder / "pictures" / "isovalue0.5_azimuth0.png")
             self.assertGreater(pixels.any(axis=2).mean(), 0.02)
+
+
+class WholeFiles(Files):
+    """What is missing in a file is not drawn as if it were there; Testing/Files tells of it in C++."""
+
+    def read_or_refuse(self, name, data):
+        """The samples, or the sentence."""
+        from mistakes import UserError
+        try:
+            return vtk_to_numpy(self.read(name, data).GetPointData().GetArray(0)).tobytes()
+        except UserError as error:
+            self.assertIn(name, str(error))
+            return str(error)
+
+    def test_files_that_are_cut(self):
+        from originals import ORIGINALS
+        for kind in ("vti-ascii", "vti-binary", "vti-base64", "vti-base64-zlib", "vti-raw", "vti-raw-zlib", "mha",
+                     "mha-zlib", "mha-wordy", "mhd-list", "nii", "nii-gz", "slc", "slc-runs", "vtk-large"):
+            original = ORIGINALS[kind](lambda value: value)
+            for name, data in original.files.items():
+                (self.folder / name).write_bytes(data)
+            data = original.files[original.main]
+            whole = self.read_or_refuse(original.main, data)
+            self.assertIsInstance(whole, bytes)
+            for size in (len(data) // 3, 2 * len(data) // 3, len(data) - 40, len(data) - 8, len(data) - 1):
+                with self.subTest(kind=kind, size=size):
+                    read = self.read_or_refuse(original.main, data[:size])
+                    self.assertTrue(isinstance(read, str) or read == whole)
+
+    def test_meta_images_that_contradict_themselves(self):
+        from originals import META_CONTRADICTIONS, meta
+        plain = meta(True)(lambda value: value).files["a.mha"]
+        for old, new, words in META_CONTRADICTIONS:
+            with self.subTest(new=new):
+                self.assertIn(words, self.read_or_refuse("a.mha", plain.replace(old, new, 1)))
+
+    def test_meta_images_of_slices(self):
+        from originals import meta
+        for k in range(1, 8):
+            (self.folder / f"{k}.raw").write_bytes(bytes([k, 0]) * 72)
+        header = meta(False)(lambda value: value).files["a.mhd"]
+        for names, is_whole in ((b"%d.raw 1 7 1", True), (b"%d.raw 1 6 1", False), (b"%d.raw 1 7 2", False)):
+            read = self.read_or_refuse("a.mhd", header.replace(b"a.raw", names))
+            self.assertEqual(isinstance(read, bytes), is_whole)
+
+    def test_more_than_the_header_tells(self):
+        from originals import meta
+        files = meta(False)(lambda value: value).files
+        (self.folder / "a.mhd").write_bytes(files["a.mhd"])
+        (self.folder / "a.raw").write_bytes(files["a.raw"] + bytes(10))
+        self.assertIn("10 bytes more", self.run_well("render_server.py", "a.mhd", "--size", "20"))
+
+    def test_pieces_that_do_not_cover_the_extent(self):
+        import meshes
+        for extents, has_cells, hole in (
+                (("0 3 0 4 0 4", "3 7 0 4 0 4"), True, ""), (("0 3 0 4 0 4", "4 7 0 4 0 4"), False, ""),
+                (("0 3 0 4 0 4", "4 7 0 4 0 4"), True, "cell (3, 0, 0)"), (("0 3 0 4 0 4",), False, "point (4, 0, 0)"),
+                (("0 3 0 4 0 4", "3 7 0 4 0 2"), False, "point (4, 0, 3)")):
+            read = self.read_or_refuse("a.vti", meshes.pieces(extents, has_cells=has_cells))
+            self.assertTrue(hole in read if hole else isinstance(read, bytes), read)
+
+    def test_arrays_that_end_early(self):
+        from originals import ORIGINALS
+        for kind, end, cut in (("vti-binary", b"</DataArray", 400), ("vti-raw", b"</AppendedData", 2000)):
+            data = ORIGINALS[kind](lambda value: value).files["a.vti"]
+            at = data.index(end)
+            self.assertIn("'ball' ends before", self.read_or_refuse("a.vti", data[:at - cut] + data[at:]))
+            path = self.folder / "a.vtu"
+            path.write_bytes(data[:at - cut] + data[at:])
+            self.assert_refused("'ball' ends before", "mesh_sweep.py", "a.vtu")
+
+    def test_all_arrays_of_a_legacy_file(self):
+        from originals import ORIGINALS
+        (self.folder / "a.vtk").write_bytes(ORIGINALS["vtk-large"](lambda value: value).files["a.vtk"])
+        for name in ("ball", "more", "steps"):
+            self.run_well("render_server.py", "a.vtk", "--array", name, "--size", "20")
+
+
+class DrawnValues(Files):
+    """Isovalues are chosen among values that are drawn."""
+
+    def assert_range(self, low, high, name, data):
+        (self.folder / name).write_bytes(data)
+        said = self.run_well("mesh_sweep.py", name, "--frames", 2, "--size", "20x20")
+        self.assertIn(f" values {low:g} to {high:g}\n", said)
+
+    def test_not_those_of_faces(self):
+        import meshes
+        for where in ("PointData", "CellData"):
+            self.assert_range(0, 1, "a.vtu", meshes.hexahedra_and_quad(where))
+
+    def test_cells_of_meshes_are_averaged(self):
+        import meshes
+        numbers = [0] * len(meshes.cells())
+        numbers[-1] = 8  # at a corner of the grid, where one point is its own
+        numbers[17] = 800  # in its middle
+        self.assert_range(0, 100, "a.vts", meshes.vts(
+            str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + "</CellData>\n"))
+
+    def test_not_those_of_hidden_cells(self):
+        import meshes
+        hidden = [32 if i >= 27 else 0 for i in range(len(meshes.cells()))]
+        numbers = [1000 if mark else 5 + i % 2 for i, mark in enumerate(hidden)]
+        data = meshes.vts(str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + meshes.array(
+            "vtkGhostType", "UInt8", hidden, str) + "</CellData>\n")
+        self.assert_range(5, 6, "a.vts", data)
+
+    def test_ranges_that_are_too_large(self):
+        numpy.save(self.folder / "a.npy", numpy.resize((-1.7e308, 1.7e308, 0.0), (4, 4, 4)))
+        self.assert_refused("too far apart", "render_server.py", "a.npy")
 
 
 class RenderServer(Example):

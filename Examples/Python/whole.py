@@ -164,7 +164,8 @@ def _require_whole_meta(path: str) -> str:
     is_msb = is_true("BinaryDataByteOrderMSB", None)
     end_of_header = _end_of_header(path)
     for is_so, what in (
-            (number("NDims", 0) != len(dimensions), "NDims is not how many numbers DimSize has"),
+            (not name, "its header names no file of samples"),
+            (not dimensions or number("NDims", 0) != len(dimensions), "NDims is not how many numbers DimSize has"),
             (min([channels, *dimensions]) < 1, "DimSize or ElementNumberOfChannels is less than 1"),
             (header_size < -1 or (is_local and 0 < header_size < end_of_header),
              "HeaderSize is not where its samples begin"),

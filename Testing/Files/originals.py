@@ -233,7 +233,8 @@ META_CONTRADICTIONS = (
     (b"HeaderSize = -1", b"HeaderSize = 20", "HeaderSize"), (b"HeaderSize = -1", b"HeaderSize = 9000", "fewer samples"),
     (b"HeaderSize = -1", b"HeaderSize = 0\nElementByteOrderMSB = True", "contradicts"),
     (b"BinaryData = True", b"BinaryData = False", "fewer samples"),
-    (b"CompressedData = False", b"CompressedData = True", "fewer samples"), (b"= LOCAL", b"= b.raw", "b.raw"))
+    (b"CompressedData = False", b"CompressedData = True", "fewer samples"), (b"= LOCAL", b"= b.raw", "b.raw"),
+    (b"ElementDataFile = LOCAL", b"", "no file of samples"), (b"DimSize = 9 8 7", b"", "NDims"))
 
 
 def meta_wordy(twist: Twist) -> Original:

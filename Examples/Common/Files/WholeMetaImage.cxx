@@ -180,7 +180,9 @@ void RequireConsistent(const std::string& path, Fields& fields, double endOfHead
     bool IsSo;
     const char* What;
   } contradictions[] = {
-    { NumberOf(fields, "NDims", 0.0) != static_cast<double>(dimensions.size()),
+    { fields["ElementDataFile"].empty(), "its header names no file of samples" },
+    { dimensions.empty() ||
+        NumberOf(fields, "NDims", 0.0) != static_cast<double>(dimensions.size()),
       "NDims is not how many numbers DimSize has" },
     { channels < 1.0 ||
         std::any_of(dimensions.begin(), dimensions.end(), [](double n) { return n < 1.0; }),

@@ -392,7 +392,8 @@ class WholeFiles(Files):
         for old, new, words in (
                 (b'amr_box="0 3', b'amr_box="0 90', "0.vti' has not the size of its amr_box"),
                 (b'amr_box="0 3', b'amr_box="3 0', "no volume"), (b'amr_box="0 3 ', b'amr_box="', "amr_box"),
-                (b'level="1"', b'level="7"', "levels are not numbered"), (b'index="0"', b'index="1"', "blocks are not numbered"),
+                (b'level="1"', b'level="7"', "levels are not numbered"),
+                (b'index="0"', b'index="1"', "blocks are not numbered"), (b"DataSet", b"Nothing", "no blocks"),
                 (b"index=", b"indEx=", "an index or"), (b'spacing="0.5 0.5 0.5"', b'spacing="4 4 4"', "no finer cells"),
                 (b'spacing="1 ', b'spacing="0 ', "a spacing is missing")):
             original = ORIGINALS["vthb"](same)
@@ -448,8 +449,8 @@ class Lists(Files):
         original = self.vtm("b.vtu", "c.vtu")
         original.files["c.vtu"] = meshes.xml(
             "UnstructuredGrid", 'NumberOfPoints="0" NumberOfCells="0"', "<Points>" + meshes.array(
-                "Points", "Float32", (), same, 3) + "</Points><Cells>" + "".join(
-                    meshes.array(name, "Int64", (), same) for name in ("connectivity", "offsets", "types")) + "</Cells>")
+                "Points", "Float32", (), same, 3) + "</Points><Cells>" + "".join(meshes.array(
+                    name, "Int64", (), same) for name in ("connectivity", "offsets", "types")) + "</Cells>")
         told = self.read(original)
         self.assertEqual(told.array, "ball")
         self.assertIn("c.vtu', which has no cells", told.remark)

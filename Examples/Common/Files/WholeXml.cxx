@@ -51,6 +51,17 @@ void ForEach(vtkXMLDataElement* element, const std::function<void(vtkXMLDataElem
   }
 }
 
+std::vector<vtkXMLDataElement*> NestedIn(vtkXMLDataElement* element, const char* name)
+{
+  std::vector<vtkXMLDataElement*> nested;
+  for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+  {
+    const bool isWanted = std::strcmp(element->GetNestedElement(i)->GetName(), name) == 0;
+    nested.insert(nested.end(), isWanted ? 1 : 0, element->GetNestedElement(i));
+  }
+  return nested;
+}
+
 // Elements of a file, up to its appended data, and where arrays lie in it.
 class XmlFile
 {
@@ -272,14 +283,10 @@ void RequireCovered(const std::string& path, vtkXMLDataElement* grid)
 {
   const std::optional<Box> whole = BoxOf(grid, "WholeExtent");
   std::vector<Box> pieces;
-  for (int i = 0; i < grid->GetNumberOfNestedElements(); ++i)
+  for (vtkXMLDataElement* piece : NestedIn(grid, "Piece"))
   {
-    vtkXMLDataElement* piece = grid->GetNestedElement(i);
     const std::optional<Box> box = BoxOf(piece, "Extent");
-    if (box && std::strcmp(piece->GetName(), "Piece") == 0)
-    {
-      pieces.push_back(*box);
-    }
+    pieces.insert(pieces.end(), box ? 1 : 0, box.value_or(Box{}));
   }
   if (!whole || pieces.empty())
   {
@@ -321,17 +328,13 @@ std::vector<std::string> PartsOf(const std::string& path, vtkXMLDataElement* roo
 class AdaptiveBlocks
 {
 public:
-  AdaptiveBlocks(const std::string& path, vtkXMLDataElement* root)
+  AdaptiveBlocks(const std::string& path, vtkXMLDataElement* grid)
     : Path(path)
   {
-    ForEach(root,
-      [this](vtkXMLDataElement* element)
-      {
-        if (std::strcmp(element->GetName(), "Block") == 0)
-        {
-          this->Add(element);
-        }
-      });
+    for (vtkXMLDataElement* block : NestedIn(grid, "Block"))
+    {
+      this->Add(block);
+    }
     int level = 0;
     double coarser = 0.0;
     for (const auto& [number, of] : this->Levels)
@@ -373,9 +376,8 @@ private:
       "a level or a spacing is missing");
     Level& level = this->Levels[number];
     level.Spacing = spacing[0];
-    for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+    for (vtkXMLDataElement* block : NestedIn(element, "DataSet"))
     {
-      vtkXMLDataElement* block = element->GetNestedElement(i);
       const std::optional<Box> box = BoxOf(block, "amr_box");
       int index = -1;
       this->Require(block->GetScalarAttribute("index", index) == 1 && index >= 0 && box,
@@ -434,16 +436,19 @@ void RequireWholeXml(const std::string& path, int depth)
       {
         RequireWholeXml(part, depth + 1);
       }
-      catch (const UserError& error)
+      catch (const UserError& reason)
       {
-        throw UserError(Quoted(path) + " names a file that is not whole: " + error.what());
+        throw UserError(Quoted(path) + " names a file that is not whole: " + reason.what());
       }
     }
   }
   const std::string type = AttributeOf(file.Root, "type");
   if (type == "vtkOverlappingAMR" || type == "vtkHierarchicalBoxDataSet")
   {
-    AdaptiveBlocks(path, file.Root);
+    for (vtkXMLDataElement* grid : NestedIn(file.Root, type.c_str()))
+    {
+      AdaptiveBlocks(path, grid);
+    }
   }
   ForEach(file.Root,
     [&](vtkXMLDataElement* element)

@@ -21,6 +21,8 @@ META_TYPES = {
     "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE",
     "MET_CHAR_ARRAY", "MET_UCHAR_ARRAY", "MET_SHORT_ARRAY", "MET_USHORT_ARRAY", "MET_INT_ARRAY",
     "MET_UINT_ARRAY"}
+MOST_WHOLE = 1 << 24  # up to which floats hold all whole numbers
+FLOAT_STEPS = 1 << 22  # from 0, which floats tell apart
 NIFTI_COLORS = (128, 2304)  # types of RGB and RGBA
 
 
@@ -60,9 +62,10 @@ def apply_header(reader, path: str, image: vtkImageData) -> None:
         header = reader.GetNIFTIHeader()
         if header is None or header.GetDataType() not in NIFTI_COLORS:
             _rescale(image, reader.GetRescaleSlope(), reader.GetRescaleIntercept())
-        # Among the patient's axes: the scanner's (q) or a template's (s).
-        matrix = reader.GetSFormMatrix() or reader.GetQFormMatrix()
-        if matrix and abs(matrix.Determinant()) > 0.0:
+        # Among the patient's axes: the scanner's (q) or, first, those of another image (s).
+        matrix = next((matrix for matrix in (reader.GetSFormMatrix(), reader.GetQFormMatrix())
+                       if matrix and abs(matrix.Determinant()) > 0.0), None)
+        if matrix:
             image.SetDirectionMatrix([matrix.GetElement(i, j) for i in range(3) for j in range(3)])
             image.SetOrigin([matrix.GetElement(i, 3) for i in range(3)])
 
@@ -73,9 +76,12 @@ def _rescale(image: vtkImageData, slope: float, offset: float) -> None:
     if is_none or not scalars or not (math.isfinite(slope) and math.isfinite(offset)):
         return
     samples = vtk_to_numpy(scalars)
-    kind = numpy.float32 if samples.dtype.itemsize < 4 or samples.dtype == numpy.float32 else numpy.float64
     with numpy.errstate(all="ignore"):
-        values = (samples.astype(numpy.float64) * slope + offset).astype(kind)
+        values = samples.astype(numpy.float64) * slope + offset
+    is_whole = float(slope).is_integer() and float(offset).is_integer()
+    most = MOST_WHOLE if is_whole else FLOAT_STEPS * abs(slope)
+    if samples.dtype.kind != "f" and abs(values).max(initial=0.0) <= most:
+        values = values.astype(numpy.float32)
     array = numpy_to_vtk(values, deep=1)
     array.SetName(scalars.GetName())
     image.GetPointData().SetScalars(array)

@@ -110,6 +110,16 @@ class MetaImages(Files):
             ElementToIntensityFunctionSlope="-3", ElementToIntensityFunctionOffset="1000"))
         self.assert_close(told.range, [1000 - 3 * value for value in reversed(plain.range)])
 
+    def test_values_beyond_the_type(self) -> None:
+        original = self.header(ElementType="MET_USHORT")
+        data = bytearray(original.files["a.mha"])
+        struct.pack_into("<3H", data, len(data) - 2 * SIZE[0] * SIZE[1] * SIZE[2], 65535, 1, 0)
+        for slope, offset in ((1, -1024), (1000, 0), (0.5, 3), (100000, 1), (-1, 0), (0.0625, 5000)):
+            fields = f"ElementToIntensityFunctionSlope = {slope}\nElementToIntensityFunctionOffset = {offset}\n"
+            told = self.read(Original("a.mha", {"a.mha": bytes(data).replace(
+                b"ElementDataFile", fields.encode() + b"ElementDataFile", 1)}))
+            self.assertEqual(told.values[:2], [65535 * slope + offset, slope + offset])
+
     def test_direction(self) -> None:
         for key in ("TransformMatrix", "Orientation", "Rotation"):
             for rows in ((0, 1, 0, -1, 0, 0, 0, 0, 1), (-1, 0, 0, 0, 1, 0, 0, 0, 1),
@@ -312,7 +322,7 @@ class Dicom(Files):
     def test_what_is_not_read_is_refused(self) -> None:
         for change, word in (
                 ({(0x28, 0x3000): ("SQ", [{(0x28, 0x3006): ("US", [1, 2])}])}, "table"),
-                ({(0x28, 0x1053): ("DS", "one")}, "'one'"), ({(0x20, 0x32): ("DS", "1\\x\\2")}, "'x'"),
+                ({(0x28, 0x1053): ("DS", "one")}, "'one'"), ({(0x28, 0x1052): ("DS", "1,5")}, "'1,5'"), ({(0x20, 0x32): ("DS", "1\\x\\2")}, "'x'"),
                 ({(0x28, 0x10): ("US", [9])}, "not all there")):
             self.assert_refused(self.tell(self.write(dicom(change=lambda k: change)(same))), ".dcm", word)
         fragments = {(0x7fe0, 0x10): ("OB", run_lengths(bytes(2 * SIZE[0] * SIZE[1])))}
@@ -355,6 +365,8 @@ class Dicom(Files):
             self.assert_close(told.steps()[2], (0, 0, 2))
             first = told.values[0] // 100
             self.assertEqual(told.values[3] // 100 - first, 1 if first == 0 else -1)
+        told = self.read(dicom(change=lambda k: {(0x28, 0x30): None})(same))
+        self.assertIn("how far their pixels are apart", told.remark)
 
     def test_even(self) -> None:
         told = self.read(self.slices())

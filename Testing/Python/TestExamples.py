@@ -417,6 +417,34 @@ class Headers(Example):
         self.assertEqual([[abs(x) > 1e-4 for x in step] for step in steps], [
             [True, False, False], [False, False, True], [False, True, False]])
 
+    def test_nifti_of_scanner_or_template(self):
+        from originals import nifti
+        plain = nifti(False)(lambda value: value).files["a.nii"]
+        by_template, by_scanner = (5, 6, 7), (10, 20, 30)
+        sform, nothing = (1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7), 12 * [0]
+        for codes, rows, expected in (((1, 2), sform, by_template), ((0, 2), sform, by_template),
+                                      ((1, 0), sform, by_scanner), ((1, 2), nothing, by_scanner)):
+            data = bytearray(plain)
+            struct.pack_into("<2h6f", data, 252, *codes, 0, 0, 0, *by_scanner)
+            struct.pack_into("<12f", data, 280, *rows)
+            self.assert_close(self.place(self.read("a.nii", bytes(data)), (0, 0, 0)), expected)
+        data = bytearray(plain)
+        struct.pack_into("<f", data, 76, -1)  # the scanner's slices lie the other way round
+        struct.pack_into("<2h6f", data, 252, 1, 0, 0, 0, 0, *by_scanner)
+        image = self.read("a.nii", bytes(data))
+        ends = [self.place(image, (0, 0, k)) for k in (0, image.GetDimensions()[2] - 1)]
+        self.assert_close(sorted(place[2] for place in ends), (18, 30))
+
+    def test_values_beyond_the_type(self):
+        from originals import nifti
+        plain = nifti(False)(lambda value: value).files["a.nii"]
+        low, high = self.read("plain.nii", plain).GetScalarRange()
+        for slope, intercept in ((1, 40000), (1, 1e9), (0.5, 2 ** 24), (-1001, 0), (123457, 1), (0, 5)):
+            data = bytearray(plain)
+            struct.pack_into("<2f", data, 112, slope, intercept)
+            values = (slope * low + intercept, slope * high + intercept) if slope else (low, high)
+            self.assertEqual(self.read("a.nii", bytes(data)).GetScalarRange(), tuple(sorted(values)))
+
     def test_meta_image(self):
         from originals import meta
         plain = meta(True)(lambda value: value).files["a.mha"]

@@ -15,9 +15,8 @@
 
 #include <vtkDataArray.h>
 
-#include <cmath>
 #include <cstdint>
-#include <cstdlib>
+#include <istream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -61,9 +60,8 @@ std::vector<double> NumbersOf(const DataSet& elements, const Tag& tag)
   std::istringstream in(TextOf(elements, tag));
   for (std::string word; std::getline(in, word, '\\');)
   {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(word.c_str(), &end));
-    if (end == word.c_str() || !std::isfinite(numbers.back()))
+    std::istringstream number(word);
+    if (!(number >> numbers.emplace_back()) || !(number >> std::ws).eof())
     {
       std::ostringstream what;
       what << "its element " << tag << " holds " << Quoted(word) << " instead of a number";
@@ -133,7 +131,7 @@ DicomSlice SliceOf(const DataSet& file, DicomSlice slice)
 std::string FaultOf(const gdcm::File& file)
 {
   const std::string kind = TextOf(file.GetDataSet(), Interpretation);
-  if (kind != "MONOCHROME1" && kind != "MONOCHROME2" && kind != "RGB")
+  if (!kind.empty() && kind != "MONOCHROME1" && kind != "MONOCHROME2" && kind != "RGB")
   {
     return "its pixels are of the kind " + Quoted(kind) + ", neither MONOCHROME2 nor RGB";
   }

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 using Slices = std::vector<DicomSlice>;
 
-constexpr double SameNumber = 1e-3;   // difference of cosines that scanners write differently
+constexpr double SameNumber = 1e-3;   // of cosines and distances that scanners write differently
 constexpr double SameDistance = 0.02; // of a distance between slices, that rounding makes
 
 UserError NoSeries(const std::string& path)
@@ -271,6 +271,11 @@ void ReadDicom(const std::string& path, const ReadingProgress& progress, Volume&
     throw UserError("The directory " + Quoted(path) +
       " holds a DICOM series of one slice; name a directory with at least 2.");
   }
+  const auto remark = [&](const std::string& what)
+  {
+    volume.Remark += (volume.Remark.empty() ? "" : " ") +
+      std::string("The slices of the DICOM series in ") + Quoted(path) + " " + what + ".";
+  };
   if (slices.size() < series.size())
   {
     volume.Remark = std::to_string(series.size() - slices.size()) + " of " +
@@ -280,9 +285,11 @@ void ReadDicom(const std::string& path, const ReadingProgress& progress, Volume&
   if (slices.front().Position.empty() || slices.front().Orientation.empty())
   {
     PlaceByNumber(slices);
-    volume.Remark = "The slices of the DICOM series in " + Quoted(path) +
-      " do not say where they lie: they are stacked in the order of their numbers." +
-      (volume.Remark.empty() ? "" : " " + volume.Remark);
+    remark("do not say where they lie: they are stacked in the order of their numbers");
+  }
+  if (slices.front().Spacing.empty())
+  {
+    remark("do not say how far their pixels are apart: 1 is taken for it");
   }
   std::stable_sort(slices.begin(), slices.end(),
     [](const DicomSlice& a, const DicomSlice& b) { return PlaceOf(a) > PlaceOf(b); });
@@ -301,7 +308,5 @@ void ReadDicom(const std::string& path, const ReadingProgress& progress, Volume&
     return;
   }
   volume.Data = UnevenVolume(slices.front(), stack, values);
-  volume.Remark = "The slices of the DICOM series in " + Quoted(path) +
-    " lie at unequal distances, as if some were missing: each is drawn where it lies." +
-    (volume.Remark.empty() ? "" : " " + volume.Remark);
+  remark("lie at unequal distances, as if some were missing: each is drawn where it lies");
 }

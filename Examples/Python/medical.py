@@ -49,6 +49,18 @@ def require_known_type(path: str) -> None:
             f"{quoted(kind)}; save them as MET_INT, MET_FLOAT or MET_DOUBLE.")
 
 
+def choose_time_step(reader, path: str, image: vtkImageData, time_step: int) -> None:
+    """Keep one of the volumes that NIfTI's reader hands over as components; other files have one."""
+    steps = max(1, reader.GetTimeDimension()) if isinstance(reader, vtkNIFTIImageReader) else 1
+    if time_step > steps:
+        raise UserError(
+            f"{quoted(path)} has {steps} time steps: choose one of these instead of {time_step}.")
+    if time_step > 1:
+        scalars = image.GetPointData().GetScalars()
+        samples = vtk_to_numpy(scalars).reshape(image.GetNumberOfPoints(), steps, -1)
+        _set_samples(image, samples[:, time_step - 1])
+
+
 def apply_header(reader, path: str, image: vtkImageData) -> None:
     """Samples become the values that they stand for, and lie where the header says."""
     if isinstance(reader, vtkMetaImageReader):
@@ -82,8 +94,12 @@ def _rescale(image: vtkImageData, slope: float, offset: float) -> None:
     most = MOST_WHOLE if is_whole else FLOAT_STEPS * abs(slope)
     if samples.dtype.kind != "f" and abs(values).max(initial=0.0) <= most:
         values = values.astype(numpy.float32)
+    _set_samples(image, values)
+
+
+def _set_samples(image: vtkImageData, values: numpy.ndarray) -> None:
     array = numpy_to_vtk(values, deep=1)
-    array.SetName(scalars.GetName())
+    array.SetName(image.GetPointData().GetScalars().GetName())
     image.GetPointData().SetScalars(array)
 
 

@@ -138,7 +138,7 @@ class Campaign:
             wrong = what_is_wrong(status, said, [original.main, "--raw takes"] if original.layout else names)
             if number == 0:
                 self._needed[kind, way] = memory
-                may_refuse = "grid" in kind or (way == "python" and kind in MESHES)
+                may_refuse = "grid" in kind or (way == "python" and kind in MESHES) or "built without" in said
                 wrong = wrong or ("the whole file is refused" if status and not may_refuse else "")
             elif memory > self._needed.get((kind, way), 0) * MOST_GROWTH + MOST_KIB:
                 wrong = wrong or f"it takes {memory >> 10} MiB"

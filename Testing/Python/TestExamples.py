@@ -384,11 +384,11 @@ class Headers(Example):
             sys.path.insert(0, str(folder))
             self.addCleanup(sys.path.remove, str(folder))
 
-    def read(self, name, data):
+    def read(self, name, data, time_step=1):
         from volumes import read_volume
         path = self.folder / name
         path.write_bytes(data)
-        return read_volume(str(path))
+        return read_volume(str(path), time_step)
 
     def place(self, image, index):
         point = [0.0, 0.0, 0.0]
@@ -434,6 +434,18 @@ class Headers(Example):
         image = self.read("a.nii", bytes(data))
         ends = [self.place(image, (0, 0, k)) for k in (0, image.GetDimensions()[2] - 1)]
         self.assert_close(sorted(place[2] for place in ends), (18, 30))
+
+    def test_nifti_of_several_volumes(self):
+        from originals import nifti
+        data = bytearray(nifti(False)(lambda value: value).files["a.nii"])
+        struct.pack_into("<h", data, 40, 4)
+        struct.pack_into("<h", data, 48, 3)  # volumes
+        first = numpy.frombuffer(bytes(data[352:]), "<i2")
+        data += (first + 1000).tobytes() + (first - 1000).tobytes()
+        for time, add in ((1, 0), (2, 1000), (3, -1000)):
+            scalars = self.read("a.nii", bytes(data), time).GetPointData().GetScalars()
+            self.assertTrue((vtk_to_numpy(scalars).ravel() == first + add).all())
+        self.assert_refused("'a.nii' has 3 time steps", "render_server.py", "a.nii", "--time-step", "4")
 
     def test_values_beyond_the_type(self):
         from originals import nifti
@@ -641,7 +653,7 @@ class Help(Example):
     def test_tells_of_every_option(self):
         for program in PROGRAMS:
             said = self.run_well(program, "--help")
-            for option in ("--array", "--size", "--azimuth", "--output"):
+            for option in ("--array", "--time-step", "--size", "--azimuth", "--output"):
                 self.assertIn(option, said)
 
 

@@ -61,7 +61,7 @@ def try_reading(path: str, read: Callable[[], None]) -> None:
     if number == signal.SIGKILL:
         raise _damaged(path, "it takes more time or memory than there is")
     if status:
-        raise _damaged(path, "VTK's reader fails on it")
+        raise _damaged(path, "its reader fails on it")
 
 
 def _damaged(path: str, reason: str) -> UserError:

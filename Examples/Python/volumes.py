@@ -25,7 +25,7 @@ try:
     from vtkmodules.vtkIOLegacy import vtkDataReader, vtkStructuredPointsReader
     from vtkmodules.vtkIOXML import vtkXMLImageDataReader
     from drawn import Drawn
-    from medical import apply_header, require_known_type
+    from medical import apply_header, choose_time_step, require_known_type
     from whole import require_whole
     from vtkTemporalCoherence import numpy_to_image
 except ImportError as missing:
@@ -51,6 +51,9 @@ def add_volume_arguments(arguments: argparse.ArgumentParser) -> None:
         "volume", nargs="?",
         help=f"a file {SUFFIXES} (an array [z, y, x]); default: four generated spheres")
     arguments.add_argument("--array", help="the array to draw, of points or cells; default: the file's scalars")
+    arguments.add_argument(
+        "--time-step", type=number_from(1), default=1, metavar="N",
+        help="which volume of a NIfTI that has several; default: 1")
 
 
 def number_from(least: int, most: int = 1000000) -> Callable[[str], int]:
@@ -75,7 +78,7 @@ def volume_of(arguments: argparse.Namespace) -> vtkImageData:
     if arguments.volume is None:
         image = make_spheres(128)
     else:
-        image = read_volume(arguments.volume)
+        image = read_volume(arguments.volume, arguments.time_step)
     choose_array(image, arguments.array, name_of(arguments))
     return image
 
@@ -97,7 +100,7 @@ def make_spheres(samples: int) -> vtkImageData:
     return numpy_to_image(values.astype(numpy.uint8))
 
 
-def read_volume(path: str) -> vtkImageData:
+def read_volume(path: str, time_step: int = 1) -> vtkImageData:
     if not os.path.exists(path):
         raise UserError(f"There is no file {quoted(path)}: check the path.")
     if not os.path.isfile(path):
@@ -109,11 +112,11 @@ def read_volume(path: str) -> vtkImageData:
     suffix = next((suffix for suffix in READERS if path.lower().endswith(suffix)), None)
     if suffix is None:
         raise UserError(f"The suffix of {quoted(path)} is none of {SUFFIXES}: convert the volume.")
-    try_reading(path, lambda: _read_untried(path, suffix))
-    return _read_untried(path, suffix)
+    try_reading(path, lambda: _read_untried(path, suffix, time_step))
+    return _read_untried(path, suffix, time_step)
 
 
-def _read_untried(path: str, suffix: str) -> vtkImageData:
+def _read_untried(path: str, suffix: str, time_step: int) -> vtkImageData:
     """A reader may end the program here."""
     if suffix in (".mhd", ".mha"):
         require_known_type(path)
@@ -121,6 +124,8 @@ def _read_untried(path: str, suffix: str) -> vtkImageData:
     reader.SetFileName(path)
     if suffix == ".vtk":
         read_all_arrays(reader)
+    if suffix.startswith(".nii"):
+        reader.SetTimeAsVector(time_step > 1)
     with errors_of_vtk() as errors:
         remark = require_whole(path)
         reader.Update()
@@ -131,6 +136,7 @@ def _read_untried(path: str, suffix: str) -> vtkImageData:
             f"{quoted(path)} could not be read as an image: check that it is a whole file of the format "
             f"that its suffix tells.")
     require_bytes(path, 1024 * image.GetActualMemorySize())
+    choose_time_step(reader, path, image, time_step)
     apply_header(reader, path, image)
     if remark:
         print(remark)

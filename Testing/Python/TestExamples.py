@@ -384,11 +384,11 @@ class Files(Example):
             sys.path.insert(0, str(folder))
             self.addCleanup(sys.path.remove, str(folder))
 
-    def read(self, name, data):
+    def read(self, name, data, time_step=1):
         from volumes import read_volume
         path = self.folder / name
         path.write_bytes(data)
-        return read_volume(str(path))
+        return read_volume(str(path), time_step)
 
 
 class Headers(Files):
@@ -420,6 +420,46 @@ class Headers(Files):
         self.assertLess(steps[0][0], 0.0)
         self.assertEqual([[abs(x) > 1e-4 for x in step] for step in steps], [
             [True, False, False], [False, False, True], [False, True, False]])
+
+    def test_nifti_of_scanner_or_template(self):
+        from originals import nifti
+        plain = nifti(False)(lambda value: value).files["a.nii"]
+        by_template, by_scanner = (5, 6, 7), (10, 20, 30)
+        sform, nothing = (1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7), 12 * [0]
+        for codes, rows, expected in (((1, 2), sform, by_template), ((0, 2), sform, by_template),
+                                      ((1, 0), sform, by_scanner), ((1, 2), nothing, by_scanner)):
+            data = bytearray(plain)
+            struct.pack_into("<2h6f", data, 252, *codes, 0, 0, 0, *by_scanner)
+            struct.pack_into("<12f", data, 280, *rows)
+            self.assert_close(self.place(self.read("a.nii", bytes(data)), (0, 0, 0)), expected)
+        data = bytearray(plain)
+        struct.pack_into("<f", data, 76, -1)  # the scanner's slices lie the other way round
+        struct.pack_into("<2h6f", data, 252, 1, 0, 0, 0, 0, *by_scanner)
+        image = self.read("a.nii", bytes(data))
+        ends = [self.place(image, (0, 0, k)) for k in (0, image.GetDimensions()[2] - 1)]
+        self.assert_close(sorted(place[2] for place in ends), (18, 30))
+
+    def test_nifti_of_several_volumes(self):
+        from originals import nifti
+        data = bytearray(nifti(False)(lambda value: value).files["a.nii"])
+        struct.pack_into("<h", data, 40, 4)
+        struct.pack_into("<h", data, 48, 3)  # volumes
+        first = numpy.frombuffer(bytes(data[352:]), "<i2")
+        data += (first + 1000).tobytes() + (first - 1000).tobytes()
+        for time, add in ((1, 0), (2, 1000), (3, -1000)):
+            scalars = self.read("a.nii", bytes(data), time).GetPointData().GetScalars()
+            self.assertTrue((vtk_to_numpy(scalars).ravel() == first + add).all())
+        self.assert_refused("'a.nii' has 3 time steps", "render_server.py", "a.nii", "--time-step", "4")
+
+    def test_values_beyond_the_type(self):
+        from originals import nifti
+        plain = nifti(False)(lambda value: value).files["a.nii"]
+        low, high = self.read("plain.nii", plain).GetScalarRange()
+        for slope, intercept in ((1, 40000), (1, 1e9), (0.5, 2 ** 24), (-1001, 0), (123457, 1), (0, 5)):
+            data = bytearray(plain)
+            struct.pack_into("<2f", data, 112, slope, intercept)
+            values = (slope * low + intercept, slope * high + intercept) if slope else (low, high)
+            self.assertEqual(self.read("a.nii", bytes(data)).GetScalarRange(), tuple(sorted(values)))
 
     def test_meta_image(self):
         from originals import meta
@@ -727,7 +767,7 @@ class Help(Example):
     def test_tells_of_every_option(self):
         for program in PROGRAMS:
             said = self.run_well(program, "--help")
-            for option in ("--array", "--size", "--azimuth", "--output"):
+            for option in ("--array", "--time-step", "--size", "--azimuth", "--output"):
                 self.assertIn(option, said)
 
 

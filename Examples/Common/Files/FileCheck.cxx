@@ -24,7 +24,7 @@ struct Inflation
 };
 constexpr Inflation Inflations[] = { { ".gz", 1032.0 }, { ".mha", 1032.0 }, { ".mhd", 1032.0 },
   { ".cgns", 1032.0 }, { ".ex2", 1032.0 }, { ".exo", 1032.0 }, { ".e", 1032.0 }, { ".slc", 127.0 },
-  { ".vtk", 1.0 }, { ".nii", 1.0 }, { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1.0 } };
+  { ".vtk", 1.0 }, { ".nii", 1.0 }, { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1032.0 } };
 constexpr double InflationOfXml = 8192.0;
 
 constexpr double Wider = 8.0;                   // bytes of a number that a digit of text becomes

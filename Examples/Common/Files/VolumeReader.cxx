@@ -145,7 +145,7 @@ Volume ReadFile(const VolumeSource& source, const ReadingProgress& progress)
   }
   else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
-    ReadNifti(path, progress, volume);
+    ReadNifti(path, source.TimeStep, progress, volume);
   }
   else if (EndsWith(name, ".slc"))
   {

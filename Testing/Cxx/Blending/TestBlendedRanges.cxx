@@ -247,6 +247,7 @@ struct FarNodes
 {
   double Distance;
   bool AtOpacity, AtColor, AtGradient;
+  double Opacity = 0.7; ///< at the distance; 0.7 continues the function
 };
 
 vtkNew<vtkUnsignedCharArray> DrawWith(
@@ -273,7 +274,7 @@ vtkNew<vtkUnsignedCharArray> DrawWith(
     if (far.AtOpacity)
     {
       opacity->AddPoint(-far.Distance, 0.0);
-      opacity->AddPoint(far.Distance, 0.7);
+      opacity->AddPoint(far.Distance, far.Opacity);
     }
     if (far.AtColor)
     {
@@ -323,6 +324,31 @@ void TestFarNodes(int mode)
   }
 }
 
+/// Values far from the others change the picture only beside them, even if functions reach there.
+void TestOutliers(int mode)
+{
+  constexpr double scale = 300.0;
+  for (const double distance : { -1e8, 1e6, 1e30 })
+  {
+    const auto image = ImageOf(VTK_FLOAT, 1, scale, Slopes);
+    for (int kind = 0; kind < 3; ++kind)
+    {
+      const FarNodes far{ std::abs(distance), kind == 0, kind == 1, kind == 2, 0.9 };
+      vtkDataArray* samples = image->GetPointData()->GetScalars();
+      const double usual = samples->GetComponent(0, 0);
+      const auto without = DrawWith(far, image, mode, false, scale);
+      samples->SetComponent(0, 0, distance);
+      samples->Modified();
+      const double off = ShareOff(DrawWith(far, image, mode, false, scale), without);
+      samples->SetComponent(0, 0, usual);
+      samples->Modified();
+      Expect(off < 0.02,
+        NameOfMode(mode) + ": a value of " + std::to_string(distance) + " (kind " +
+          std::to_string(kind) + ") changes " + std::to_string(100.0 * off) + " %");
+    }
+  }
+}
+
 /// Ranges are those of the samples as they are, even if only the image tells that they changed.
 void TestChangedSamples()
 {
@@ -361,6 +387,10 @@ int TestBlendedRanges(int, char*[])
       TestColorAndOpacity(mode);
     }
     TestFarNodes(mode);
+    if (mode != vtkVolumeMapper::AVERAGE_INTENSITY_BLEND && mode != vtkVolumeMapper::ADDITIVE_BLEND)
+    {
+      TestOutliers(mode); // the others show shares of the whole range
+    }
   }
   TestColorsAboveAlpha();
   TestChangedSamples();

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace
@@ -230,6 +231,33 @@ void TestCellScalars()
     "told of no averages");
 }
 
+/// In means of cells, infinities of both signs cancel each other like large numbers.
+void TestInfiniteCells()
+{
+  constexpr int N = 6;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Image cells = Image::New(), means = Image::New();
+  cells->SetDimensions(N + 1, N + 1, N + 1);
+  means->CopyStructure(cells);
+  vtkNew<vtkDoubleArray> ofCells, ofPoints;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    ofCells->InsertNextValue(cell % N < N / 2 ? -infinity : infinity);
+  }
+  for (vtkIdType point = 0; point < means->GetNumberOfPoints(); ++point)
+  {
+    const int x = static_cast<int>(point % (N + 1));
+    ofPoints->InsertNextValue(x == N / 2 ? 0.0 : std::copysign(infinity, x - N / 2));
+  }
+  cells->GetCellData()->SetScalars(ofCells);
+  means->GetPointData()->SetScalars(ofPoints);
+  Scene ofCellScalars(VtkMeshes::Curvilinear(cells), { 1.0 });
+  Scene ofPointScalars(VtkMeshes::Curvilinear(means), { 1.0 });
+  ofCellScalars.LookFrom(1.0, 2.0, 0.7);
+  ofPointScalars.LookFrom(1.0, 2.0, 0.7);
+  ExpectSameSurface("infinite cells", ofCellScalars, ofPointScalars);
+}
+
 }
 
 int TestGrids(int, char*[])
@@ -240,5 +268,6 @@ int TestGrids(int, char*[])
   TestArrays();
   TestVectors();
   TestCellScalars();
+  TestInfiniteCells();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

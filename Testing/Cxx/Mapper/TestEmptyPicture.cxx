@@ -16,9 +16,11 @@
 #include <vtkFloatingPointExceptions.h>
 #include <vtkPointData.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -82,6 +84,60 @@ std::vector<MakeData> AllSorts()
     [](vtkImageData* image) { return VtkMeshes::Unstructured(image, VTK_TETRA); } };
 }
 
+/// Cells at one place, on a line, and in planes.
+void TestFlatCells()
+{
+  using Point = std::array<double, 3>;
+  const std::array<std::function<Point(const Point&)>, 4> places = {
+    [](const Point&) { return Point{ 1.0, 2.0, 3.0 }; },
+    [](const Point& p) { return Point{ p[0] + p[1], 2.0 * (p[0] + p[1]), 0.5 }; },
+    [](const Point& p) { return Point{ p[0], p[1], 0.25 }; },
+    [](const Point& p) { return Point{ p[0] + p[2], p[1], 0.3 * (p[0] + p[2]) - 1.7 * p[1] }; },
+  };
+  for (std::size_t shape = 0; shape < places.size(); ++shape)
+  {
+    const auto grid = VtkMeshes::Curvilinear(Slope());
+    const auto mesh = VtkMeshes::Unstructured(Slope(), VTK_TETRA);
+    for (vtkPointSet* data : { static_cast<vtkPointSet*>(grid), static_cast<vtkPointSet*>(mesh) })
+    {
+      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+      {
+        Point point;
+        data->GetPoint(i, point.data());
+        data->GetPoints()->SetPoint(i, places[shape](point).data());
+      }
+      ExpectOne(std::string("flat cells ") + data->GetClassName() + std::to_string(shape), data,
+        "lie in a plane");
+    }
+  }
+}
+
+/// Blended volumes leave out cells with an infinite sample.
+void TestInfiniteSamples()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double other : { infinity, -infinity })
+  {
+    const Image image = Slope();
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      image->GetPointData()->GetScalars()->SetComponent(i, 0, i % 2 == 0 ? infinity : other);
+    }
+    for (const int mode : { vtkVolumeMapper::COMPOSITE_BLEND,
+           vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::AVERAGE_INTENSITY_BLEND })
+    {
+      Scene scene(image, {});
+      scene.Mapper->SetBlendMode(mode);
+      const Listener listener(scene);
+      scene.LookFrom(1.0, 2.0, 0.5);
+      Expect(scene.Render(40, 30) && scene.Render(40, 30), "infinite samples: rendered");
+      Expect(listener.Messages.size() == 1 &&
+          listener.Messages[0].find("is infinite") != std::string::npos,
+        "infinite samples: " + std::to_string(listener.Messages.size()) + " messages");
+    }
+  }
+}
+
 void TestReasons()
 {
   for (const MakeData& make : AllSorts())
@@ -104,12 +160,7 @@ void TestReasons()
     Ghosts::FlagCells(hidden, [](int, int, int) { return vtkDataSetAttributes::HIDDENCELL; });
     ExpectOne("hidden cells", make(hidden), "are hidden by its ghost array");
   }
-  const auto grid = VtkMeshes::Curvilinear(Slope());
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    grid->GetPoints()->SetPoint(i, 1.0, 2.0, 3.0);
-  }
-  ExpectOne("one place", grid, "lie at one place");
+  TestFlatCells();
   vtkNew<vtkImageData> nothing;
   ExpectOne("no samples", nothing, "has no samples");
   vtkNew<vtkExplicitStructuredGrid> without;
@@ -159,6 +210,7 @@ int TestEmptyPicture(int, char*[])
   // The Debug driver traps operations on what is not a number, which is what is tested here.
   vtkFloatingPointExceptions::Disable();
   TestReasons();
+  TestInfiniteSamples();
   TestTimeSteps();
   TestLengths();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -197,7 +197,8 @@ void ValueRangePyramid::Build(const Field& field)
           const std::lock_guard<std::mutex> lock(guard);
           finite = Union(finite, inRows);
         });
-      this->Finite = finite.Min <= finite.Max
+      this->HasFinite = finite.Min <= finite.Max;
+      this->Finite = this->HasFinite
         ? glm::dvec2(static_cast<double>(finite.Min), static_cast<double>(finite.Max))
         : glm::dvec2(0.0);
       this->Whole = WholeRangeOf(ofNodes, count);
@@ -231,7 +232,8 @@ void ValueRangePyramid::BuildFromKind(const Field& field)
       finite.Max = std::max(finite.Max, inNode.Max);
     });
   this->Whole = WholeRangeOf(ofNodes, count);
-  this->Finite = finite.Min <= finite.Max ? glm::dvec2(finite.Min, finite.Max) : glm::dvec2(0.0);
+  this->HasFinite = finite.Min <= finite.Max;
+  this->Finite = this->HasFinite ? glm::dvec2(finite.Min, finite.Max) : glm::dvec2(0.0);
 }
 
 void ValueRangePyramid::Release()
@@ -239,6 +241,7 @@ void ValueRangePyramid::Release()
   Room().swap(this->Bytes);
   this->Nodes = glm::ivec3(0);
   this->Finite = this->Whole = glm::dvec2(0.0);
+  this->HasFinite = false;
   this->WithNaN = {};
 }
 

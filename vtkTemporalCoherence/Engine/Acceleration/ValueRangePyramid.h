@@ -81,6 +81,9 @@ public:
   /// Smallest and largest finite sample of the whole field; {0, 0} if there is none.
   const glm::dvec2& FiniteRange() const { return this->Finite; }
 
+  /// True if some sample is finite.
+  bool HasFiniteSamples() const { return this->HasFinite; }
+
   /// Smallest and largest of all samples, including infinities. The first is larger than the second
   /// if no sample is a number. {0, 0} before ranges are built.
   const glm::dvec2& WholeRange() const { return this->Whole; }
@@ -108,6 +111,7 @@ private:
   Room Bytes; ///< the leaves of all nodes, and then the nodes
   glm::ivec3 Nodes{ 0 };
   glm::dvec2 Finite{ 0.0 }, Whole{ 0.0 };
+  bool HasFinite = false;
   std::vector<std::uint64_t> WithNaN;
 };
 

@@ -45,6 +45,7 @@ public:
     FieldAbilities abilities;
     abilities.Isomaps = true;
     abilities.IsMesh = true;
+    abilities.HasVolume = this->Tree->HasVolume();
     return abilities;
   }
 

@@ -37,6 +37,7 @@ struct FieldAbilities
   /// Its cells have any shape: hits name their cells, and it has no samples. It may end anywhere in
   /// its box; solids are capped there.
   bool IsMesh = false;
+  bool HasVolume = true; ///< false if the points of each cell lie in a plane, so that it shows nothing
 };
 
 /// The cells of a field: where they lie, and which values they hold. A shape is immutable and

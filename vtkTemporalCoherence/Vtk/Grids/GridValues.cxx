@@ -16,6 +16,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -38,7 +41,8 @@ std::array<bool, 256> FindTypesWithVolume(const MeshPart& part)
   return haveVolume;
 }
 
-/// The mean of the cells around each point; 0 without such cells.
+/// The mean of the cells around each point; 0 without such cells. Infinities of both signs cancel
+/// each other, as equally large numbers do.
 vtkSmartPointer<vtkDataArray> AverageToPoints(
   const MeshPart& part, const MeshArray& ofCells, const std::uint8_t* ghosts)
 {
@@ -47,6 +51,7 @@ vtkSmartPointer<vtkDataArray> AverageToPoints(
   double* const sums = averages->GetPointer(0);
   std::fill_n(sums, part.NumberOfPoints, 0.0);
   std::vector<std::int32_t> counts(static_cast<std::size_t>(part.NumberOfPoints), 0);
+  std::vector<std::int32_t> infinities; // of both signs: the difference of their numbers
   const auto haveVolume = part.Types ? FindTypesWithVolume(part) : std::array<bool, 256>();
   // Add up serially, so that sums do not depend on the number of threads.
   for (std::int64_t cell = 0; cell < part.NumberOfCells; ++cell)
@@ -63,13 +68,26 @@ vtkSmartPointer<vtkDataArray> AverageToPoints(
     ForEachPoint(part, cell,
       [&](std::int64_t point)
       {
-        sums[point] += value;
         ++counts[static_cast<std::size_t>(point)];
+        if (std::isinf(value))
+        {
+          infinities.resize(counts.size(), 0);
+          infinities[static_cast<std::size_t>(point)] += value > 0.0 ? 1 : -1;
+          return;
+        }
+        sums[point] += value;
       });
   }
   for (std::int64_t point = 0; point < part.NumberOfPoints; ++point)
   {
     sums[point] /= std::max(counts[static_cast<std::size_t>(point)], 1);
+  }
+  for (std::size_t point = 0; point < infinities.size(); ++point)
+  {
+    if (infinities[point] != 0)
+    {
+      sums[point] = std::copysign(std::numeric_limits<double>::infinity(), infinities[point]);
+    }
   }
   return averages;
 }

@@ -56,11 +56,11 @@ private:
   ImageOfGrid Grid;
   HiddenCellsOfImage Hidden;
 
-  /// The range of a component's finite samples.
+  /// The ranges of a component's samples.
   struct KnownRange
   {
     Field Of;
-    glm::dvec2 Range;
+    glm::dvec2 Finite, Most;
   };
   std::vector<KnownRange> Ranges; ///< of the components that were drawn last
 };

@@ -167,6 +167,21 @@ glm::dvec2 Rounded(const glm::dvec2& range)
   return width > 0.0 && step > 0.0 && std::isfinite(rounded.y - rounded.x) ? rounded : range;
 }
 
+/// The range of the values that a look finds in its functions.
+/// \param ranges by component
+glm::dvec2 LookedUp(const std::vector<glm::dvec2>& ranges, ComponentUse use, std::size_t look)
+{
+  if (use == ComponentUse::Independent)
+  {
+    return ranges[look];
+  }
+  // The last component gives the opacity. Of two components, the first one gives colours.
+  const glm::dvec2 &first = ranges.front(), &last = ranges.back();
+  return use == ComponentUse::ColorOpacity
+    ? glm::dvec2(std::min(first.x, last.x), std::max(first.y, last.y))
+    : last;
+}
+
 bool MakeAverageRange(vtkVolumeMapper* mapper, glm::dvec2& made, std::string& error)
 {
   const double* range = mapper->GetAverageIPScalarRange();
@@ -273,27 +288,20 @@ bool BlendingFromVolume::MakeLook(
   return true;
 }
 
-void BlendingFromVolume::MakeTransfers(ScalarType type, Blending& made)
+void BlendingFromVolume::MakeTransfers(
+  ScalarType type, const std::vector<glm::dvec2>& most, Blending& made)
 {
   for (std::size_t i = 0; i < made.Looks.size(); ++i)
   {
-    glm::dvec2 range = made.ScalarRanges[i];
-    if (made.Use != ComponentUse::Independent)
-    {
-      // The last component gives the opacity. Of two components, the first one gives colours.
-      range = made.ScalarRanges.back();
-      if (made.Use == ComponentUse::ColorOpacity)
-      {
-        const glm::dvec2& ofColors = made.ScalarRanges.front();
-        range = { std::min(range.x, ofColors.x), std::max(range.y, ofColors.y) };
-      }
-    }
-    // Differences of neighbours are at most as large as the range.
+    const glm::dvec2 range = LookedUp(made.ScalarRanges, made.Use, i);
+    const glm::dvec2 ofMost = LookedUp(most, made.Use, i);
+    // Neighbours differ by the range at most. Outliers are left out of it.
+    const glm::dvec2 near = NearMost(range, ofMost);
     GradientOpacity& byGradient = made.Looks[i].ByGradient;
-    LeaveOutBeyond((range.y - range.x) * glm::length(byGradient.PerStep), byGradient);
+    LeaveOutBeyond((near.y - near.x) * glm::length(byGradient.PerStep), byGradient);
     const bool areColors = made.Use == ComponentUse::RgbOpacity; // functions end with the range
     made.Looks[i].Transfer = this->Transfers[this->FirstTransfer + i].Sample(
-      { areColors ? range : Rounded(range), areColors });
+      { areColors ? range : Rounded(range), areColors ? ofMost : Rounded(ofMost), areColors });
   }
   if (made.Use == ComponentUse::RgbOpacity)
   {

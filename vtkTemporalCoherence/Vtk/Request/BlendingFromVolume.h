@@ -44,7 +44,8 @@ public:
 
   /// Make the transfer functions for the last call of Make, over the range of each component.
   /// \param type of the samples
-  void MakeTransfers(ScalarType type, Blending& made);
+  /// \param most the ranges of most samples, by component
+  void MakeTransfers(ScalarType type, const std::vector<glm::dvec2>& most, Blending& made);
 
   /// Make the lights, if a component is shaded.
   /// \param appearance is empty before

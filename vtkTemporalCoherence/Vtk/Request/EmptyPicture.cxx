@@ -26,7 +26,7 @@ bool EmptyPicture::AreAllHidden(const Field& shown)
 }
 
 std::string EmptyPicture::FindReason(
-  vtkDataObject* data, const Field& shown, const ValueRangePyramid& ranges)
+  vtkDataObject* data, bool isBlended, const Field& shown, const ValueRangePyramid& ranges)
 {
   const bool isMesh = shown.Shape->Abilities().IsMesh;
   if (!shown.HasCells())
@@ -51,10 +51,15 @@ std::string EmptyPicture::FindReason(
     return "All cells of the input are hidden by its ghost array 'vtkGhostType', a mask or samples "
            "that are NaN; remove the flags or the mask, or choose another array or time step.";
   }
-  if (isMesh && !(shown.Shape->VoxelSizeIn(IndexTransform()).Longest > 0.0))
+  if (!shown.Shape->Abilities().HasVolume)
   {
-    return "All points of each cell of the input lie at one place, so that no cell has a size; see "
-           "that its source sets the points.";
+    return "The points of each cell of the input lie in a plane, so that no cell has a volume; see "
+           "that its source sets all coordinates of the points.";
+  }
+  if (isBlended && !ranges.HasFiniteSamples())
+  {
+    return "Every sample of the input is infinite, and blended volumes leave out cells with an "
+           "infinite sample; choose another array with SelectScalarArray, or another time step.";
   }
   return "";
 }
@@ -69,7 +74,8 @@ std::string EmptyPicture::Check(
   const DrawnVolume& drawn, const Field& shown, const ValueRangePyramid& ranges)
 {
   vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
-  const std::string reason = data ? this->FindReason(data, shown, ranges) : "";
+  const bool isBlended = drawn.Mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND;
+  const std::string reason = data ? this->FindReason(data, isBlended, shown, ranges) : "";
   this->Stories.erase(std::remove_if(this->Stories.begin(), this->Stories.end(),
                         [](const Story& story) { return !story.Of; }),
     this->Stories.end());

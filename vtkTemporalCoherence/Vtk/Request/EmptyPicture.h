@@ -20,8 +20,8 @@ namespace TemporalCoherence
 {
 
 /// Warns of input that shows nothing at any isovalue: without samples, with all cells hidden, with
-/// NaN in every cell, or with all points of each cell at one place. It warns once for each volume,
-/// and again only after the reason was gone. It ignores input too thin for cells, and mappers that
+/// NaN in every cell, with flat cells only, or, if blended, with infinite samples only. It warns
+/// once for each volume, and again only after the reason was gone. It ignores input too thin for cells, and mappers that
 /// may draw a part of larger data.
 class EmptyPicture
 {
@@ -35,7 +35,8 @@ public:
   bool IsTold(const vtkVolume* volume) const;
 
 private:
-  std::string FindReason(vtkDataObject* data, const Field& shown, const ValueRangePyramid& ranges);
+  std::string FindReason(
+    vtkDataObject* data, bool isBlended, const Field& shown, const ValueRangePyramid& ranges);
   bool AreAllHidden(const Field& shown);
 
   /// A volume, and the reason of its last warning.

@@ -100,8 +100,10 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   this->IsMakingField = false;
   if (isMade && isBlended)
   {
-    key.Volume.ScalarRanges.resize(static_cast<std::size_t>(drawn.Count)); // empty without samples
-    this->Blendings.MakeTransfers(key.Samples.Type, key.Volume);
+    // Without samples, there are no ranges.
+    key.Volume.ScalarRanges.resize(static_cast<std::size_t>(drawn.Count));
+    request.MostScalars.resize(static_cast<std::size_t>(drawn.Count));
+    this->Blendings.MakeTransfers(key.Samples.Type, request.MostScalars, key.Volume);
   }
   return isMade;
 }
@@ -198,6 +200,7 @@ bool RequestFromMapper::MakeScene(
   key.Volume.Others = field.Others;
   key.Samples = field.Samples;
   key.Volume.ScalarRanges = field.ScalarRanges;
+  request.MostScalars = field.MostScalars;
   key.Transform = field.Transform;
   request.SetUp = field.SetUp;
   request.Cells = field.Cells;

@@ -19,6 +19,9 @@ namespace
 /// Intervals between samples.
 constexpr std::size_t MostIntervals = 1 << 16;
 
+/// Of all, the intervals at an end in which the function goes over to its farther end.
+constexpr std::size_t IntervalsOfEnd = MostIntervals / 16;
+
 /// Clamp a number to [0, 1]. Valid nodes may give NaN, for example by logarithms of negative
 /// positions.
 double ShareOf(double value)
@@ -34,12 +37,13 @@ public:
     const TransferFunctions& functions, const std::vector<double>& nodes, const AskedValues& asked)
     : Of(functions)
   {
-    this->Spread(nodes, asked.Range);
+    this->Spread(nodes, asked);
     constexpr auto intervals = static_cast<double>(MostIntervals);
     this->Made.Range = { this->First, this->First + intervals * this->Step };
     this->Made.Nodes.resize(MostIntervals + 1);
     this->SampleColors();
     this->SampleOpacities(asked);
+    this->SampleFarEnds();
   }
 
   TransferFunction Made;
@@ -49,33 +53,50 @@ private:
   int Count() const { return static_cast<int>(this->Made.Nodes.size()); }
 
   /// Choose the places of samples.
-  void Spread(const std::vector<double>& nodes, const glm::dvec2& range)
+  void Spread(const std::vector<double>& nodes, const AskedValues& asked)
+  {
+    const glm::dvec2 whole(std::clamp(nodes.front(), asked.Range.x, asked.Range.y),
+      std::clamp(nodes.back(), asked.Range.x, asked.Range.y));
+    if (this->SpreadOverNodes(nodes, whole))
+    {
+      return;
+    }
+    constexpr auto intervals = static_cast<double>(MostIntervals);
+    const glm::dvec2 near = NearMost(whole, asked.Most);
+    this->FarLow = near.x > whole.x ? std::optional<double>(whole.x) : std::nullopt;
+    this->FarHigh = near.y < whole.y ? std::optional<double>(whole.y) : std::nullopt;
+    if (near != whole && this->SpreadOverNodes(nodes, near))
+    {
+      return;
+    }
+    // Four intervals may lie beyond the nodes. A step must exceed rounding errors.
+    const double largest = std::max(std::abs(near.x), std::abs(near.y));
+    const double least = std::max(largest * 0x1p-50, 0x1p-960);
+    this->Step =
+      std::exp2(std::ceil(std::log2(std::max((near.y - near.x) / (intervals - 4.0), least))));
+    this->First = (std::floor(near.x / this->Step) - 1.0) * this->Step;
+  }
+
+  /// Choose places that meet all nodes in a range.
+  /// \return false if there are no such places
+  bool SpreadOverNodes(const std::vector<double>& nodes, const glm::dvec2& range)
   {
     constexpr auto intervals = static_cast<double>(MostIntervals);
     constexpr double rounding = 1e-6;
-    const double low = std::clamp(nodes.front(), range.x, range.y);
-    const double high = std::clamp(nodes.back(), range.x, range.y);
-    const std::vector<double> between(std::lower_bound(nodes.begin(), nodes.end(), low),
-      std::upper_bound(nodes.begin(), nodes.end(), high));
-    const double common = StepBetween(between, high - low);
-    if (common > 0.0)
+    const std::vector<double> between(std::lower_bound(nodes.begin(), nodes.end(), range.x),
+      std::upper_bound(nodes.begin(), nodes.end(), range.y));
+    const double common = StepBetween(between, range.y - range.x);
+    if (!(common > 0.0))
     {
-      // Each node keeps its sample even if others are left out later.
-      const double anchor = between.front();
-      const double before = std::ceil((anchor - low) / common - rounding) + 1.0;
-      const double behind = std::ceil((high - anchor) / common - rounding) + 1.0;
-      this->Step = common / std::exp2(std::floor(std::log2(intervals / (before + behind))));
-      this->First = anchor - before * common;
+      return false;
     }
-    else
-    {
-      // Four intervals may lie beyond the nodes. A step must exceed rounding errors.
-      const double largest = std::max(std::abs(low), std::abs(high));
-      const double least = std::max(largest * 0x1p-50, 0x1p-960);
-      this->Step =
-        std::exp2(std::ceil(std::log2(std::max((high - low) / (intervals - 4.0), least))));
-      this->First = (std::floor(low / this->Step) - 1.0) * this->Step;
-    }
+    // Each node keeps its sample even if others are left out later.
+    const double anchor = between.front();
+    const double before = std::ceil((anchor - range.x) / common - rounding) + 1.0;
+    const double behind = std::ceil((range.y - anchor) / common - rounding) + 1.0;
+    this->Step = common / std::exp2(std::floor(std::log2(intervals / (before + behind))));
+    this->First = anchor - before * common;
+    return true;
   }
 
   /// A step that meets every node and covers a range with the available samples; 0 if there is
@@ -154,8 +175,47 @@ private:
     }
   }
 
+  /// Let values beyond the samples look like the farthest ones.
+  void SampleFarEnds()
+  {
+    std::vector<glm::dvec4>& nodes = this->Made.Nodes;
+    const auto goOver = [&](double far, auto place)
+    {
+      const glm::dvec4 end = this->LookAt(far), begin = nodes[place(IntervalsOfEnd)];
+      for (std::size_t i = 0; i < IntervalsOfEnd; ++i)
+      {
+        const double share = static_cast<double>(i) / static_cast<double>(IntervalsOfEnd);
+        nodes[place(i)] = glm::mix(end, begin, share);
+      }
+    };
+    if (this->FarLow)
+    {
+      goOver(*this->FarLow, [](std::size_t i) { return i; });
+    }
+    if (this->FarHigh)
+    {
+      goOver(*this->FarHigh, [](std::size_t i) { return MostIntervals - i; });
+    }
+  }
+
+  glm::dvec4 LookAt(double value) const
+  {
+    glm::dvec4 look(0.0);
+    if (this->Of.Color)
+    {
+      this->Of.Color->GetColor(value, &look.x);
+    }
+    else
+    {
+      look = glm::dvec4(glm::dvec3(this->Of.Gray->GetValue(value)), 0.0);
+    }
+    look.w = this->Of.Opacity->GetValue(value);
+    return { ShareOf(look.x), ShareOf(look.y), ShareOf(look.z), ShareOf(look.w) };
+  }
+
   TransferFunctions Of;
   double Step = 1.0, First = 0.0;
+  std::optional<double> FarLow, FarHigh; ///< values beyond the samples, where functions go on
 };
 
 /// Sample functions at equal distances over the range that the data and the nodes have in common,
@@ -211,6 +271,19 @@ void Thin(TransferFunction& transfer)
   transfer.Nodes.swap(nodes);
 }
 
+}
+
+glm::dvec2 NearMost(const glm::dvec2& whole, const glm::dvec2& most)
+{
+  constexpr double widest = 64.0;
+  const double width = most.y - most.x;
+  if (!(width > 0.0) || !(whole.y - whole.x > widest * width))
+  {
+    return whole;
+  }
+  const double around = 0.5 * (widest - 1.0) * width;
+  const glm::dvec2 near(std::max(whole.x, most.x - around), std::min(whole.y, most.y + around));
+  return near.x < near.y ? near : whole;
 }
 
 bool SampledTransfer::Find(vtkVolumeProperty* property, int component, std::string& error)

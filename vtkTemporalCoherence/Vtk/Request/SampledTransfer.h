@@ -22,16 +22,21 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
+/// The part of a range of values within some dozen times the range of most of the data; the whole
+/// range without outliers.
+glm::dvec2 NearMost(const glm::dvec2& whole, const glm::dvec2& most);
+
 /// The values at which functions are evaluated.
 struct AskedValues
 {
   glm::dvec2 Range; ///< of the data
+  glm::dvec2 Most;  ///< of most of the data, without outliers
   bool AreClamped;  ///< other values may occur; they are as opaque as the nearest end of the range
 };
 
 inline bool operator==(const AskedValues& a, const AskedValues& b)
 {
-  return a.Range == b.Range && a.AreClamped == b.AreClamped;
+  return a.Range == b.Range && a.Most == b.Most && a.AreClamped == b.AreClamped;
 }
 
 /// The colour and the opacity of one component of a property, sampled. It is sampled again when the
@@ -39,7 +44,9 @@ inline bool operator==(const AskedValues& a, const AskedValues& b)
 ///
 /// VTK's functions are evaluated at each sample, so that midpoints, sharpness, scales, colour
 /// spaces and clamping have VTK's meaning. Each node has a sample if all nodes fit one grid, such
-/// as integers or decimals.
+/// as integers or decimals. Otherwise samples are spread evenly; but if outliers of the data would
+/// leave too few samples to most of the data, values far away from most of the data look like the
+/// farthest ones.
 class SampledTransfer
 {
 public:

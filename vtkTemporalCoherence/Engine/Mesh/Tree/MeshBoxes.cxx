@@ -37,6 +37,7 @@ bool MeshBoxes::Build(const MeshReader& reader, const CellNumbers& order,
     return false;
   }
   this->Edges = leaves.Edges;
+  this->HasVolume = leaves.HasVolume;
   if (!leaves.Boxes.empty())
   {
     this->Place(leaves.Whole, static_cast<std::int64_t>(leaves.Boxes.size()));

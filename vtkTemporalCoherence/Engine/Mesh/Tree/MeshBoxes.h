@@ -63,6 +63,7 @@ public:
   double PerScale = 1.0;      ///< 1 / Scale, exactly
   glm::dvec3 Low{ 0.0 };
   EdgeLengths Edges;
+  bool HasVolume = false; ///< false if the points of each cell lie in a plane
   /// Boxes by level, from the leaves to one box around all cells. At least three levels, unless no
   /// cell exists.
   std::vector<std::vector<FloatBox>> Levels;

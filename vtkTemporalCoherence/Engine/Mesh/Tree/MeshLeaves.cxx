@@ -25,8 +25,58 @@ struct NodeFacts
 {
   PointBox Box;
   EdgeSums Edges;
+  bool HasVolume = false; ///< true if some cell is not flat
   MeshProblem Problem;
 };
+
+/// How far rounding may have moved points. Points that single precision holds may come from there.
+double RoundingOf(const std::array<glm::dvec3, 8>& points, int count)
+{
+  double largest = 0.0;
+  bool areSingle = true;
+  for (int i = 0; i < count; ++i)
+  {
+    const glm::dvec3& point = points[static_cast<std::size_t>(i)];
+    areSingle = areSingle && glm::dvec3(glm::vec3(point)) == point;
+    largest = std::max(largest, glm::length(point));
+  }
+  return largest * (areSingle ? 0x1p-22 : 0x1p-50);
+}
+
+/// True if points are all at one place, on a line or in a plane, as far as rounding tells.
+bool AreFlat(const std::array<glm::dvec3, 8>& points, int count)
+{
+  glm::dvec3 longest(0.0), normal(0.0);
+  const auto forEachEdge = [&](const auto& visit)
+  {
+    for (int i = 1; i < count; ++i)
+    {
+      visit(points[static_cast<std::size_t>(i)] - points[0]);
+    }
+  };
+  forEachEdge([&](const glm::dvec3& edge)
+    { longest = glm::length(edge) > glm::length(longest) ? edge : longest; });
+  const double size = glm::length(longest);
+  if (!(size > 0.0))
+  {
+    return true;
+  }
+  forEachEdge(
+    [&](const glm::dvec3& edge)
+    {
+      const glm::dvec3 across = glm::cross(longest / size, edge / size);
+      normal = glm::length(across) > glm::length(normal) ? across : normal;
+    });
+  const double width = glm::length(normal);
+  if (!(width > 0.0))
+  {
+    return true;
+  }
+  double height = 0.0;
+  forEachEdge([&](const glm::dvec3& edge)
+    { height = std::max(height, std::abs(glm::dot(normal / width, edge))); });
+  return height <= RoundingOf(points, count);
+}
 
 void AddEdges(const std::array<glm::dvec3, 8>& points, int corners, bool isSample, EdgeSums& edges)
 {
@@ -58,6 +108,7 @@ void ReadLeaf(const MeshReader& reader, const std::uint32_t* cells, std::size_t 
         box.Widen(points[i]);
       }
       AddEdges(points, corners, false, facts.Edges);
+      facts.HasVolume = facts.HasVolume || !AreFlat(points, corners);
     });
 }
 
@@ -165,6 +216,7 @@ MeshLeaves ReadLeaves(const MeshReader& reader, const CellNumbers& order,
     }
     result.Whole.Widen(node.Box);
     edges.Add(node.Edges);
+    result.HasVolume = result.HasVolume || node.HasVolume;
   }
   if (problem.Defect == MeshDefect::None)
   {

@@ -20,6 +20,7 @@ struct MeshLeaves
   std::vector<PointBox> Boxes; ///< around each leaf
   PointBox Whole;              ///< around all of them
   EdgeLengths Edges;
+  bool HasVolume = false; ///< false if the points of each cell lie in a plane
 };
 
 /// Read the points of all cells of an order.

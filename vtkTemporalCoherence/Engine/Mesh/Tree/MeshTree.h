@@ -75,6 +75,9 @@ public:
   /// Edge lengths of the cells in the tree.
   const EdgeLengths& Edges() const { return this->Boxes->Edges; }
 
+  /// False if the points of each cell lie in a plane.
+  bool HasVolume() const { return this->Boxes->HasVolume; }
+
   /// Cells in the tree: all cells with volume that are not hidden.
   std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->Order->size()); }
   std::int64_t NumberOfLeaves() const { return (this->NumberOfCells() + 63) / 64; }

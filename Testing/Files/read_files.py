@@ -515,31 +515,20 @@ class WholeFiles(Files):
         # The values are the last 640 bytes.
         self.assert_whole_or_refused(original, lambda n: (n // 3, n - 700, n - 640, n - 320, n - 8, n - 1))
 
-    def test_arrays_that_end_early(self) -> None:
-        """In a file that goes on after them."""
-        for kind, end, cut in (("vti-binary", b"</DataArray", 400), ("vti-raw", b"</AppendedData", 2000),
-                               ("vti-base64", b"</AppendedData", 200)):
-            data = ORIGINALS[kind](same).files["a.vti"]
-            at = data.index(end)
-            told = self.tell(self.write(Original("a.vti", {"a.vti": data[:at - cut] + data[at:]})))
-            self.assert_refused(told, "a.vti", "'ball' ends before")
-            told = self.tell(self.write(Original("a.vti", {"a.vti": data.replace(b'offset="0"', b'offset="900"')})))
-            self.assertEqual(told.status == 0, kind == "vti-binary")
-
     def test_pieces_that_do_not_cover_the_extent(self) -> None:
-        for extents, has_cells, hole in (
-                (("0 3 0 4 0 4", "3 7 0 4 0 4"), True, ""),
-                (("0 5 0 4 0 4", "2 7 0 4 0 4"), True, ""),
-                (("0 3 0 4 0 4", "4 7 0 4 0 4"), False, ""),
-                (("0 3 0 4 0 4", "4 7 0 4 0 4"), True, "cell (3, 0, 0)"),
-                (("0 3 0 4 0 4",), False, "point (4, 0, 0)"),
-                (("0 7 0 4 0 4",), True, ""),
-                (("0 3 0 4 0 4", "3 7 0 4 0 2"), False, "point (4, 0, 3)")):
+        for extents, has_cells, is_whole in (
+                (("0 3 0 4 0 4", "3 7 0 4 0 4"), True, True),
+                (("0 5 0 4 0 4", "2 7 0 4 0 4"), True, True),
+                (("0 3 0 4 0 4", "4 7 0 4 0 4"), False, True),
+                (("0 3 0 4 0 4", "4 7 0 4 0 4"), True, False),
+                (("0 3 0 4 0 4",), False, False),
+                (("0 7 0 4 0 4",), True, True),
+                (("0 3 0 4 0 4", "3 7 0 4 0 2"), False, False)):
             original = Original("a.vti", {"a.vti": meshes.pieces(extents, has_cells=has_cells)})
-            if hole:
-                self.assert_refused(self.tell(self.write(original)), "a.vti", hole)
-            else:
+            if is_whole:
                 self.assertEqual(self.read(original).range[0], 100.0)
+            else:
+                self.assert_refused(self.tell(self.write(original)), "a.vti", "do not cover")
 
     def test_parallel_images(self) -> None:
         def pvti(pieces) -> bytes:
@@ -551,7 +540,7 @@ class WholeFiles(Files):
         files = {name: meshes.pieces([extent], extent) for name, extent in extents.items()}
         self.assertEqual(self.read(Original("a.pvti", {"a.pvti": pvti(extents.items()), **files})).range[0], 100.0)
         told = self.tell(self.write(Original("a.pvti", {"a.pvti": pvti([("b.vti", extents["b.vti"])])})))
-        self.assert_refused(told, "a.pvti", "point (4, 0, 0)")
+        self.assert_refused(told, "a.pvti", "do not cover")
         told = self.tell(self.write(Original("a.pvti", {"a.pvti": pvti([*extents.items(), ("d.vti", "0 3 0 4 0 4")])})))
         self.assert_refused(told, "a.pvti", "d.vti", "not there")
 
@@ -592,12 +581,12 @@ class WholeFiles(Files):
 
     def test_adaptive_grids_that_vtk_reads_beyond_its_memory(self) -> None:
         for old, new, words in (
-                (b'amr_box="0 3', b'amr_box="0 90', "0.vti' has not the size of its amr_box"),
-                (b'amr_box="0 3', b'amr_box="3 0', "no volume"), (b'amr_box="0 3 ', b'amr_box="', "amr_box"),
-                (b'level="1"', b'level="7"', "levels are not numbered"),
-                (b'index="0"', b'index="1"', "blocks are not numbered"), (b"DataSet", b"Nothing", "no blocks"),
-                (b"index=", b"indEx=", "an index or"), (b'spacing="0.5 0.5 0.5"', b'spacing="4 4 4"', "no finer cells"),
-                (b'spacing="1 ', b'spacing="0 ', "a spacing is missing")):
+                (b'amr_box="0 3', b'amr_box="0 90', "amr_box"),
+                (b'amr_box="0 3', b'amr_box="3 0', "amr_box"), (b'amr_box="0 3 ', b'amr_box="', "amr_box"),
+                (b'level="1"', b'level="7"', "level"),
+                (b'index="0"', b'index="1"', "index"), (b"DataSet", b"Nothing", "without blocks"),
+                (b"index=", b"indEx=", "index"), (b'spacing="0.5 0.5 0.5"', b'spacing="4 4 4"', "spacing"),
+                (b'spacing="1 ', b'spacing="0 ', "spacing")):
             original = ORIGINALS["vthb"](same)
             original.files["a.vthb"] = original.files["a.vthb"].replace(old, new, 1)
             with self.subTest(new=new):

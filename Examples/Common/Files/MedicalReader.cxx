@@ -150,7 +150,9 @@ void ReadMetaImage(const std::string& path, const ReadingProgress& progress, Vol
   vtkNew<vtkMetaImageReader> reader;
   if (reader->CanReadFile(path.c_str()))
   {
-    volume.Remark = RequireWholeMetaImage(path, fields);
+    reader->SetFileName(path.c_str());
+    reader->UpdateInformation();
+    volume.Remark = RequireWholeMetaImage(reader, fields);
   }
   const vtkSmartPointer<vtkImageData> image = ReadSamples(reader, path, progress);
   ApplyRescaling(image, { reader->GetRescaleSlope(), reader->GetRescaleOffset() });

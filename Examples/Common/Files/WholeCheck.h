@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
-// Some of VTK's readers draw what is missing in a file as zeros or as what memory held before,
-// without a word. These functions throw UserError for such files, and leave those to the readers
-// that they refuse themselves.
+class vtkMetaImageReader;
 
-// An XML file and those it names: arrays end where their headers say, pieces cover the extent, and
-// blocks of an adaptive grid have the size of their boxes.
+// Some of VTK's readers draw what is missing in a file as zeros or as what memory held before,
+// without a word. These functions throw UserError for files that are cut short, and leave what the
+// readers refuse to them.
+
+// An XML file and those it names have their ends, pieces cover the extent, and blocks of an
+// adaptive grid are numbered and have the size of their boxes.
 void RequireWholeXml(const std::string& path);
 
 // Whether a file is one of VTK's XML, by its name.
@@ -24,9 +26,10 @@ std::vector<std::string> PartsOf(const std::string& path);
 // An Exodus file in netCDF's classic format is as long as its header says.
 void RequireWholeNetcdf(const std::string& path);
 
-// The fields of a MetaImage do not contradict each other, and there are samples for all of them.
-// Returns a sentence if there are more than that; empty if not.
+// A MetaImage has, or names, as many samples as its header tells of. Returns a sentence if there
+// are more, or if that cannot be known; empty if not.
+// \param reader whose information is up to date
 std::string RequireWholeMetaImage(
-  const std::string& path, std::map<std::string, std::string> fields);
+  vtkMetaImageReader* reader, std::map<std::string, std::string> fields);
 
 #endif

@@ -69,7 +69,7 @@ def _read_untried(path: str, suffix: str) -> vtkDataSet:
     reader = READERS[suffix]()
     reader.SetFileName(path)
     with errors_of_vtk() as errors:
-        require_whole(path)
+        require_whole(path, reader)
         if reader.CanReadFile(path):
             reader.Update()
     mesh = reader.GetOutput()

@@ -127,7 +127,7 @@ def _read_untried(path: str, suffix: str, time_step: int) -> vtkImageData:
     if suffix.startswith(".nii"):
         reader.SetTimeAsVector(time_step > 1)
     with errors_of_vtk() as errors:
-        remark = require_whole(path)
+        remark = require_whole(path, reader)
         reader.Update()
     image = reader.GetOutput()
     # Only the reader of legacy files tells by a warning that a file ends too early.

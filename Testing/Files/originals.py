@@ -227,7 +227,7 @@ ElementDataFile = {"LOCAL" if local else "a.raw"}
 
 #: What makes meta(True) contradict itself: what is replaced, by what, and a word of the refusal.
 META_CONTRADICTIONS = (
-    (b"NDims = 3", b"NDims = 2", "9 x 8 x 1"), (b"DimSize = 9 8 7", b"DimSize = 9 8", ""),
+    (b"DimSize = 9 8 7", b"DimSize = 9 8", ""),
     (b"DimSize = 9 8 7", b"DimSize = 9 8 0", "fewer samples"), (b"Channels = 1", b"Channels = 0", "fewer samples"),
     (b"Channels = 1", b"Channels = 2", "fewer samples"), (b"MET_SHORT", b"MET_FLOAT", "fewer samples"),
     (b"HeaderSize = -1", b"HeaderSize = 20", "fewer samples"),

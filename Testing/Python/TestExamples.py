@@ -353,7 +353,7 @@ class Volumes(Example):
         numpy.save(self.folder / "objects.npy", numpy.full((5, 5, 5), None))
         for program, (words, arguments) in zip(itertools.cycle(PROGRAMS), (
                 ("There is no file 'missing.vti': check the path", ["missing.vti"]),
-                ("'broken.vti' could not be read as an image: check", ["broken.vti"]),
+                ("'broken.vti' could not be read as an image", ["broken.vti"]),
                 ("'broken.vtk' could not be read as an image", ["broken.vtk"]),
                 ("'broken.mhd' could not be read as an image", ["broken.mhd"]),
                 ("'broken.nii' could not be read as an image", ["broken.nii"]),
@@ -565,22 +565,17 @@ class WholeFiles(Files):
 
     def test_pieces_that_do_not_cover_the_extent(self):
         import meshes
-        for extents, has_cells, hole in (
-                (("0 3 0 4 0 4", "3 7 0 4 0 4"), True, ""), (("0 3 0 4 0 4", "4 7 0 4 0 4"), False, ""),
-                (("0 3 0 4 0 4", "4 7 0 4 0 4"), True, "cell (3, 0, 0)"), (("0 3 0 4 0 4",), False, "point (4, 0, 0)"),
-                (("0 3 0 4 0 4", "3 7 0 4 0 2"), False, "point (4, 0, 3)")):
+        for extents, has_cells, is_whole in (
+                (("0 3 0 4 0 4", "3 7 0 4 0 4"), True, True), (("0 3 0 4 0 4", "4 7 0 4 0 4"), False, True),
+                (("0 3 0 4 0 4", "4 7 0 4 0 4"), True, False), (("0 3 0 4 0 4",), False, False),
+                (("0 3 0 4 0 4", "3 7 0 4 0 2"), False, False)):
             read = self.read_or_refuse("a.vti", meshes.pieces(extents, has_cells=has_cells))
-            self.assertTrue(hole in read if hole else isinstance(read, bytes), read)
+            self.assertTrue(isinstance(read, bytes) if is_whole else "do not cover" in read, read)
 
-    def test_arrays_that_end_early(self):
-        from originals import ORIGINALS
-        for kind, end, cut in (("vti-binary", b"</DataArray", 400), ("vti-raw", b"</AppendedData", 2000)):
-            data = ORIGINALS[kind](lambda value: value).files["a.vti"]
-            at = data.index(end)
-            self.assertIn("'ball' ends before", self.read_or_refuse("a.vti", data[:at - cut] + data[at:]))
-            path = self.folder / "a.vtu"
-            path.write_bytes(data[:at - cut] + data[at:])
-            self.assert_refused("'ball' ends before", "mesh_sweep.py", "a.vtu")
+    def test_meshes_that_are_cut(self):
+        import meshes
+        (self.folder / "a.vtu").write_bytes(meshes.vtu(lambda value: value)[:-20])
+        self.assert_refused("'a.vtu' could not be read", "mesh_sweep.py", "a.vtu")
 
     def test_all_arrays_of_a_legacy_file(self):
         from originals import ORIGINALS

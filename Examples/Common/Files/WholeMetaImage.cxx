@@ -23,12 +23,7 @@ namespace
 namespace fs = std::filesystem;
 using Fields = std::map<std::string, std::string>;
 
-// As MetaIO reads them; 0 and false where there are none.
-double NumberOf(Fields& fields, const char* key)
-{
-  return std::atof(fields[key].c_str());
-}
-
+// As MetaIO reads it; false where there is none.
 bool IsTrue(Fields& fields, const char* key)
 {
   return fields[key].find_first_of("Tt1") == 0;
@@ -114,9 +109,9 @@ std::string RequireWholeMetaImage(vtkMetaImageReader* reader, Fields fields)
   const double bytes =
     (extent[1] - extent[0] + 1.0) * (extent[3] - extent[2] + 1.0) * slices * channels * ofNumber;
   RequireBytesFor(path, bytes);
-  const double headerSize = NumberOf(fields, "HeaderSize");
+  const auto headerSize = static_cast<int>(reader->GetHeaderSize());
   const double first = isLocal ? EndOfHeader(path) : 0.0; // of the places where samples may begin
-  const double begin = headerSize > 0.0 ? headerSize : first;
+  const double begin = headerSize > 0 ? headerSize : first;
   const double more =
     (isText ? NumbersIn(file, begin) * ofNumber : static_cast<double>(SizeOf(file)) - begin) -
     bytes;
@@ -129,12 +124,12 @@ std::string RequireWholeMetaImage(vtkMetaImageReader* reader, Fields fields)
     throw Damaged(path, "VTK does not read several channels as text");
   }
   std::ostringstream remark;
-  if (isCompressed && NumberOf(fields, "CompressedDataSize") == 0.0)
+  if (isCompressed && std::atof(fields["CompressedDataSize"].c_str()) == 0.0)
   {
     remark << Quoted(path)
            << " tells no CompressedDataSize, so that it may be cut unseen; add that.";
   }
-  else if (!isCompressed && !isText && headerSize >= 0.0 && more > 0.0)
+  else if (!isCompressed && !isText && headerSize >= 0 && more > 0.0)
   {
     remark << Quoted(file) << " has " << more
            << " bytes more than its header tells of, which are not drawn; check DimSize and "

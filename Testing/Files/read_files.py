@@ -560,12 +560,26 @@ class WholeFiles(Files):
         self.assertEqual(more.range, told.range)
         self.assertIn("10 bytes more", more.remark)
 
+    def test_meta_images_as_text(self) -> None:
+        head, samples = meta(True)(same).files["a.mha"].split(b"LOCAL\n")
+        head = head.replace(b"BinaryData = True", b"BinaryData = False").replace(b"Size = -1", b"Size = 0") + b"LOCAL\n"
+        text = b" ".join(str(number).encode() for number in struct.unpack("<504h", samples)) + b"\n"
+        self.assertEqual(self.read(Original("a.mha", {"a.mha": head + text})).range, self.read(meta(True)(same)).range)
+        for data in (head + text[:700], head.replace(b"Channels = 1", b"Channels = 2") + text + text):
+            self.assert_refused(self.tell(self.write(Original("a.mha", {"a.mha": data}))), "a.mha")
+
+    def test_compressed_meta_images_that_do_not_tell_their_size(self) -> None:
+        files = meta(False, True)(same).files
+        lines = files["a.mhd"].splitlines(keepends=True)
+        files["a.mhd"] = b"".join(line for line in lines if not line.startswith(b"CompressedDataSize"))
+        self.assertIn("CompressedDataSize", self.read(Original("a.mhd", files)).remark)
+
     def test_meta_images_of_slices(self) -> None:
         slices = {f"{k}.raw": bytes([k, 0]) * 72 for k in range(1, 8)}
         header = meta(False)(same).files["a.mhd"]
         for names, is_whole in ((b"%d.raw 1 7 1", True), (b"%d.raw 1 6 1", False), (b"%d.raw 1 7 2", False),
                                 (b"LIST\n" + b"\n".join(map(str.encode, slices)) + b"\n", True),
-                                (b"LIST\n1.raw\n2.raw\n", False)):
+                                (b"LIST\n1.raw\n2.raw\n", False), (b"LIST\n1.raw\n2.raw", False)):
             original = Original("a.mhd", {"a.mhd": header.replace(b"a.raw", names), **slices})
             if is_whole:
                 self.assertEqual(self.read(original).range, (1.0, 7.0))

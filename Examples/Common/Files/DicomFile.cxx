@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <istream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -186,23 +187,17 @@ std::vector<DicomSlice> SlicesOf(const std::string& path)
 
 int TypeOf(const gdcm::PixelFormat& format)
 {
-  switch (format.GetScalarType())
+  using Format = gdcm::PixelFormat;
+  static const std::map<Format::ScalarType, int> types = { { Format::UINT8, VTK_UNSIGNED_CHAR },
+    { Format::INT8, VTK_SIGNED_CHAR }, { Format::UINT16, VTK_UNSIGNED_SHORT },
+    { Format::INT16, VTK_SHORT }, { Format::UINT32, VTK_UNSIGNED_INT },
+    { Format::INT32, VTK_INT } };
+  const auto found = types.find(format.GetScalarType());
+  if (found == types.end())
   {
-    case gdcm::PixelFormat::UINT8:
-      return VTK_UNSIGNED_CHAR;
-    case gdcm::PixelFormat::INT8:
-      return VTK_SIGNED_CHAR;
-    case gdcm::PixelFormat::UINT16:
-      return VTK_UNSIGNED_SHORT;
-    case gdcm::PixelFormat::INT16:
-      return VTK_SHORT;
-    case gdcm::PixelFormat::UINT32:
-      return VTK_UNSIGNED_INT;
-    case gdcm::PixelFormat::INT32:
-      return VTK_INT;
-    default:
-      throw std::runtime_error("its samples are not of 8, 16 or 32 bits");
+    throw std::runtime_error("its samples are not of 8, 16 or 32 bits");
   }
+  return found->second;
 }
 
 vtkSmartPointer<vtkDataArray> PixelsOf(const std::string& path)

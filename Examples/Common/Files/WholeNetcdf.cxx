@@ -5,7 +5,6 @@
 #include "Files/FileCheck.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <fstream>
 
 namespace
@@ -26,49 +25,35 @@ public:
 
   bool IsClassic() const { return this->Version == 1 || this->Version == 2 || this->Version == 5; }
 
-  // Bytes that the file must have.
+  // Bytes that the file must have. A variable that has records is told of by the first of them: the
+  // others follow, each behind those of all such variables.
   double BytesNeeded()
   {
-    double records = this->Count();
-    const double unknown = this->Version == 5 ? 18446744073709551615.0 : 4294967295.0;
-    records = records == unknown ? 0.0 : records;
-    this->ReadDimensions();
+    const double none = this->Version == 5 ? 18446744073709551615.0 : 4294967295.0;
+    const double count = this->Count(), records = count == none ? 0.0 : count;
+    double dimensionOfRecords = none, bytesOfRecord = 0.0, end = 0.0, endOfRecord = 0.0;
+    this->ForEachListed([&](double dimension)
+      { dimensionOfRecords = this->Count() == 0.0 ? dimension : dimensionOfRecords; });
     this->SkipAttributes();
-    std::vector<Variable> ofRecords;
-    double end = 0.0, record = 0.0;
-    for (double left = this->ListSize(); left > 0.0 && this->File; --left)
-    {
-      const Variable variable = this->ReadVariable();
-      if (!variable.HasRecords)
+    this->ForEachListed(
+      [&](double) // variable
       {
-        end = std::max(end, variable.Begin + variable.Bytes);
-        continue;
-      }
-      record += Padded(variable.Bytes);
-      ofRecords.push_back(variable);
-    }
-    // Of one variable records are not padded.
-    record = ofRecords.size() == 1 ? ofRecords[0].Bytes : record;
-    for (const Variable& variable : ofRecords)
-    {
-      end = std::max(
-        end, records > 0.0 ? variable.Begin + (records - 1.0) * record + variable.Bytes : 0.0);
-    }
-    return end;
+        bool hasRecords = false;
+        for (double left = this->Count(); left > 0.0 && this->File; --left)
+        {
+          hasRecords = this->Count() == dimensionOfRecords || hasRecords;
+        }
+        this->SkipAttributes();
+        this->Number(4); // type
+        const double bytes = this->Count(), begin = this->Number(this->Version == 1 ? 4 : 8);
+        bytesOfRecord += hasRecords ? bytes : 0.0;
+        double& last = hasRecords ? endOfRecord : end;
+        last = std::max(last, begin + bytes);
+      });
+    return std::max(end, records > 0.0 ? endOfRecord + (records - 1.0) * bytesOfRecord : 0.0);
   }
 
 private:
-  struct Variable
-  {
-    double Begin = 0.0, Bytes = 0.0; // Bytes: of a record, if it has such
-    bool HasRecords = false;
-  };
-
-  static double Padded(double bytes)
-  {
-    return 4.0 * static_cast<double>(std::int64_t(bytes + 3) / 4);
-  }
-
   double Number(int bytes)
   {
     double number = 0.0;
@@ -78,61 +63,40 @@ private:
     }
     return number;
   }
+
   double Count() { return this->Number(this->Version == 5 ? 8 : 4); }
-  double ListSize()
+
+  // Calls a function where the name of each thing in a list has been read.
+  template <typename Function>
+  void ForEachListed(Function visit)
   {
     this->Number(4); // the kind of what is listed
-    return this->Count();
-  }
-  void Skip(double bytes) { this->File.seekg(std::streamoff(Padded(bytes)), std::ios::cur); }
-
-  static double BytesOfType(double type)
-  {
-    constexpr double Bytes[] = { 0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8 };
-    return type < 12.0 ? Bytes[static_cast<int>(type)] : 0.0;
-  }
-
-  void ReadDimensions()
-  {
-    for (double left = this->ListSize(); left > 0.0 && this->File; --left)
+    for (double i = 0.0, count = this->Count(); i < count && this->File; ++i)
     {
       this->Skip(this->Count());
-      this->Dimensions.push_back(this->Count());
+      visit(i);
     }
   }
 
   void SkipAttributes()
   {
-    for (double left = this->ListSize(); left > 0.0 && this->File; --left)
-    {
-      this->Skip(this->Count());
-      const double type = this->Number(4);
-      this->Skip(this->Count() * BytesOfType(type));
-    }
+    constexpr double Bytes[] = { 0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8 }; // by type
+    this->ForEachListed(
+      [&](double)
+      {
+        const double type = this->Number(4), count = this->Count();
+        this->Skip(type < 12.0 ? count * Bytes[static_cast<int>(type)] : 0.0);
+      });
   }
 
-  Variable ReadVariable()
+  // All is filled up to 4 bytes.
+  void Skip(double bytes)
   {
-    Variable variable;
-    this->Skip(this->Count());
-    double values = 1.0;
-    for (double left = this->Count(); left > 0.0 && this->File; --left)
-    {
-      const auto i = static_cast<std::size_t>(this->Count());
-      const double size = i < this->Dimensions.size() ? this->Dimensions[i] : 1.0;
-      variable.HasRecords = variable.HasRecords || size == 0.0;
-      values *= size == 0.0 ? 1.0 : size;
-    }
-    this->SkipAttributes();
-    variable.Bytes = values * BytesOfType(this->Number(4));
-    this->Count(); // bytes, which are wrong for large variables
-    variable.Begin = this->Number(this->Version == 1 ? 4 : 8);
-    return variable;
+    this->File.seekg(4 * (static_cast<std::streamoff>(bytes + 3.0) / 4), std::ios::cur);
   }
 
   std::ifstream File;
   int Version = 0;
-  std::vector<double> Dimensions;
 };
 
 }

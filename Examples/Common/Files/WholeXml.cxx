@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -27,8 +26,6 @@ namespace
 namespace fs = std::filesystem;
 using Element = vtkSmartPointer<vtkXMLDataElement>;
 using Box = std::array<int, 6>; // least and greatest place along each axis
-
-constexpr int MostLists = 4; // within each other
 
 // The element that all others lie in; null if the file does not end with it.
 Element RootOf(const std::string& path)
@@ -43,15 +40,13 @@ Element RootOf(const std::string& path)
                                                                        : nullptr;
 }
 
-std::vector<Element> NestedIn(vtkXMLDataElement* element, const char* name)
+std::vector<Element> NestedIn(vtkXMLDataElement* element, const std::string& name)
 {
   std::vector<Element> nested;
   for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
   {
-    if (std::strcmp(element->GetNestedElement(i)->GetName(), name) == 0)
-    {
-      nested.emplace_back(element->GetNestedElement(i));
-    }
+    vtkXMLDataElement* one = element->GetNestedElement(i);
+    nested.insert(nested.end(), name == one->GetName() ? 1 : 0, one);
   }
   return nested;
 }
@@ -77,35 +72,32 @@ void AddParts(const std::string& path, vtkXMLDataElement* element, std::vector<s
 // VTK's reader leaves what no piece has as it was in memory.
 std::string FaultOfPieces(vtkXMLDataElement* grid)
 {
-  Box whole{};
-  if (grid->GetVectorAttribute("WholeExtent", 6, whole.data()) != 6 || whole[0] > whole[1])
-  {
-    return "";
-  }
   vtkNew<vtkExtentSplitter> splitter;
   vtkXMLDataElement* cells = grid->FindNestedElementWithName("PCellData");
   bool hasCells = cells && cells->GetNumberOfNestedElements() > 0;
-  int pieces = 0;
-  for (const Element& piece : NestedIn(grid, "Piece"))
+  Box box{};
+  for (int i = 0; i < grid->GetNumberOfNestedElements(); ++i)
   {
-    Box box{};
+    vtkXMLDataElement* piece = grid->GetNestedElement(i);
     if (piece->GetVectorAttribute("Extent", 6, box.data()) == 6)
     {
-      splitter->AddExtentSource(pieces++, 0, box.data());
+      splitter->AddExtentSource(i, 0, box.data());
     }
     cells = piece->FindNestedElementWithName("CellData");
     hasCells = hasCells || (cells && cells->GetNumberOfNestedElements() > 0);
   }
   splitter->SetPointMode(!hasCells);
-  splitter->AddExtent(whole.data());
+  if (grid->GetVectorAttribute("WholeExtent", 6, box.data()) == 6 && box[0] <= box[1])
+  {
+    splitter->AddExtent(box.data());
+  }
   return splitter->ComputeSubExtents() ? "" : "has pieces that do not cover its WholeExtent";
 }
 
-// Whether the image of a block, if it names one, has the size of its box, and cells of finer levels
-// can be counted there.
+// Whether the image of a block, if it names one, has the size of its box, which is not far away.
 bool IsBoxOf(const std::string& part, const Box& box)
 {
-  constexpr int Farthest = 1 << 24;
+  constexpr int Farthest = 1 << 24; // so that cells of finer levels can be counted, too
   Box whole{};
   const Element root = part.empty() ? nullptr : RootOf(part);
   const Element image = root ? root->FindNestedElementWithName("ImageData") : nullptr;
@@ -128,17 +120,15 @@ std::string FaultOfBlocks(const std::string& path, vtkXMLDataElement* grid)
   {
     const std::vector<Element> blocks = NestedIn(level, "DataSet");
     std::array<double, 3> spacing{};
-    int number = -1;
+    int number = -1, index = 0;
     level->GetScalarAttribute("level", number);
     level->GetVectorAttribute("spacing", 3, spacing.data());
-    if (number != levels++ || blocks.empty() ||
-      !(*std::min_element(spacing.begin(), spacing.end()) > 0.0) ||
-      !(std::round(coarser / spacing[0]) >= 1.0))
+    if (number != levels++ || blocks.empty() || std::round(coarser / spacing[0]) < 1.0 ||
+      *std::min_element(spacing.begin(), spacing.end()) <= 0.0)
     {
       return "has a level of a wrong number or spacing, or without blocks";
     }
     coarser = spacing[0];
-    int index = 0;
     for (const Element& block : blocks)
     {
       Box box{};
@@ -156,6 +146,7 @@ std::string FaultOfBlocks(const std::string& path, vtkXMLDataElement* grid)
 
 std::string FaultOf(const std::string& path, int depth)
 {
+  constexpr int MostLists = 4; // within each other
   const Element root = RootOf(path);
   if (!root)
   {
@@ -167,10 +158,10 @@ std::string FaultOf(const std::string& path, int depth)
   std::string fault;
   for (std::size_t i = 0; i < parts.size() && fault.empty(); ++i)
   {
-    const std::string ofPart = !fs::is_regular_file(parts[i], error) ? "is not there"
-      : depth < MostLists && IsXmlName(parts[i])                     ? FaultOf(parts[i], depth + 1)
-                                                                     : "";
-    fault = ofPart.empty() ? "" : "names " + Quoted(parts[i]) + ", which " + ofPart;
+    fault = !fs::is_regular_file(parts[i], error) ? "is not there"
+      : depth < MostLists && IsXmlName(parts[i])  ? FaultOf(parts[i], depth + 1)
+                                                  : "";
+    fault = fault.empty() ? "" : "names " + Quoted(parts[i]) + ", which " + fault;
   }
   for (int i = 0; i < root->GetNumberOfNestedElements() && fault.empty(); ++i)
   {
@@ -202,8 +193,7 @@ std::vector<std::string> PartsOf(const std::string& path)
 
 void RequireWholeXml(const std::string& path)
 {
-  const std::string fault = FaultOf(path, 0);
-  if (!fault.empty())
+  if (const std::string fault = FaultOf(path, 0); !fault.empty())
   {
     throw Damaged(path, "it " + fault);
   }

@@ -87,7 +87,7 @@ def _require_whole_meta(path: str, reader) -> str:
     if is_text and channels > 1:
         raise damaged(path, "VTK does not read several channels as text")
     if is_compressed and not any(_numbers([fields.get("CompressedDataSize", "")])):
-        return f"{quoted(path)} tells no CompressedDataSize, so that it may be cut unseen: add that."
+        return f"{quoted(path)} has no CompressedDataSize, by which one would see whether it is whole: add that."
     if more > 0 and not is_compressed and not is_text and not is_at_end:
         return f"{quoted(file)} has {more} bytes more than its header tells of, which are not drawn: check DimSize " \
             "and ElementType."

@@ -76,6 +76,7 @@ std::string FileOfSamples(const std::string& path, const std::string& name)
   throw Damaged(path, "it names " + Quoted(file) + ", which is not there");
 }
 
+// How many numbers a text has.
 double NumbersIn(const std::string& text, double begin)
 {
   using Number = std::istream_iterator<double>;
@@ -109,7 +110,7 @@ std::string RequireWholeMetaImage(vtkMetaImageReader* reader, Fields fields)
   const double bytes =
     (extent[1] - extent[0] + 1.0) * (extent[3] - extent[2] + 1.0) * slices * channels * ofNumber;
   RequireBytesFor(path, bytes);
-  const auto headerSize = static_cast<int>(reader->GetHeaderSize());
+  const auto headerSize = static_cast<int>(reader->GetHeaderSize()); // -1: samples are the last
   const double first = isLocal ? EndOfHeader(path) : 0.0; // of the places where samples may begin
   const double begin = headerSize > 0 ? headerSize : first;
   const double more =
@@ -127,7 +128,7 @@ std::string RequireWholeMetaImage(vtkMetaImageReader* reader, Fields fields)
   if (isCompressed && std::atof(fields["CompressedDataSize"].c_str()) == 0.0)
   {
     remark << Quoted(path)
-           << " tells no CompressedDataSize, so that it may be cut unseen; add that.";
+           << " has no CompressedDataSize, by which one would see whether it is whole; add that.";
   }
   else if (!isCompressed && !isText && headerSize >= 0 && more > 0.0)
   {

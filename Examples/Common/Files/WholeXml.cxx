@@ -87,7 +87,8 @@ std::string FaultOfPieces(vtkXMLDataElement* grid)
     hasCells = hasCells || (cells && cells->GetNumberOfNestedElements() > 0);
   }
   splitter->SetPointMode(!hasCells);
-  if (grid->GetVectorAttribute("WholeExtent", 6, box.data()) == 6 && box[0] <= box[1])
+  if (grid->GetVectorAttribute("WholeExtent", 6, box.data()) == 6 &&
+    box != Box{ 0, -1, 0, -1, 0, -1 })
   {
     splitter->AddExtent(box.data());
   }

@@ -18,7 +18,7 @@ Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a directory with a DICOM se
 package mricron-data, or four generated spheres where that cannot be had.
 
 What is missing is installed with apt (see Module/setup.sh --help), for --explore VTK's Qt widgets
-(package libvtk9-qt-dev), too. vtkTemporalCoherence is built and
+(package libvtk9-qt-dev), for DICOM GDCM (libgdcm-dev), too. vtkTemporalCoherence is built and
 installed into build/install, and Examples/OrbitAndSweep (with --explore: Examples/Explorer) is built
 against what is installed there.
 
@@ -81,6 +81,8 @@ elif [[ $volume != generated && $volume != of_session && ! -e $volume ]]; then
   printf "[example] There is no file '%s'; check the path.\n" "$volume" >&2
   exit 1
 fi
+
+[ ! -d "$volume" ] || setup_options+=(--with-dicom)
 
 "$repository/Module/setup.sh" "${setup_options[@]}"
 

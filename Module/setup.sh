@@ -15,6 +15,8 @@ usage: Module/setup.sh [OPTIONS] [-- CMAKE_ARGUMENTS]
   --with-tests         build the tests too, and install what they need
   --with-packaging     install what Module/package.sh needs
   --with-explorer      install what Examples/Explorer needs: VTK's Qt widgets; so do the tests
+  --with-dicom         install what the examples read DICOM with (GDCM), going without is no error; so do
+                       the tests and --with-explorer
   --with-example-data  install the MR head that Examples/run.sh shows; going without is no error
   --packages-only      install packages, build nothing
   --no-packages        build with what is there, install nothing
@@ -36,6 +38,7 @@ build_packages=(g++ cmake ninja-build libvtk9-dev libglm-dev libhwy-dev
 test_packages=(libbenchmark-dev libgtest-dev xvfb xauth libgl1-mesa-dri python3-pil xdotool)
 packaging_packages=(dpkg-dev file)
 explorer_packages=(libvtk9-qt-dev) # with the Qt that this VTK was built with
+dicom_packages=(libgdcm-dev)
 example_packages=(mricron-data)
 client_packages=(python3-pyvista python3-imageio) # not in every Debian; a test of theirs is skipped then
 
@@ -114,7 +117,8 @@ ensure_packages()
   if ! command -v dpkg-query >/dev/null; then
     fail "$why: install a C++17 compiler, CMake 3.16 or later, Ninja, VTK 9.1 or later with its" \
       "headers, GLM and Highway (for Python also its headers, VTK's modules and NumPy, for tests" \
-      "GoogleTest, Google Benchmark, Xvfb and xdotool, for the Explorer VTK's module GUISupportQt)," \
+      "GoogleTest, Google Benchmark, Xvfb and xdotool, for the Explorer VTK's module GUISupportQt, for" \
+      "DICOM GDCM)," \
       "then give --no-packages."
   fi
 
@@ -124,6 +128,9 @@ ensure_packages()
     install_packages "${missing[@]}" || fail_with_log "Could not install ${missing[*]}"
   fi
 
+  if [ "$with_tests$with_explorer$with_dicom" != nonono ]; then
+    install_if_possible "$why" "${dicom_packages[@]}"
+  fi
   if [ "$with_example_data" = yes ]; then
     install_if_possible "$why" "${example_packages[@]}"
   fi
@@ -179,6 +186,7 @@ build_library()
 with_tests=no
 with_packaging=no
 with_explorer=no
+with_dicom=no
 with_example_data=no
 packages=yes
 building=yes
@@ -187,6 +195,7 @@ while [ $# -gt 0 ]; do
     --with-tests) with_tests=yes ;;
     --with-packaging) with_packaging=yes ;;
     --with-explorer) with_explorer=yes ;;
+    --with-dicom) with_dicom=yes ;;
     --with-example-data) with_example_data=yes ;;
     --packages-only) building=no ;;
     --no-packages) packages=no ;;

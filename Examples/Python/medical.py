@@ -21,6 +21,8 @@ META_TYPES = {
     "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE",
     "MET_CHAR_ARRAY", "MET_UCHAR_ARRAY", "MET_SHORT_ARRAY", "MET_USHORT_ARRAY", "MET_INT_ARRAY",
     "MET_UINT_ARRAY"}
+MOST_WHOLE = 1 << 24  # up to which floats hold all whole numbers
+FLOAT_STEPS = 1 << 22  # from 0, which floats tell apart
 NIFTI_COLORS = (128, 2304)  # types of RGB and RGBA
 
 
@@ -47,6 +49,18 @@ def require_known_type(path: str) -> None:
             f"{quoted(kind)}; save them as MET_INT, MET_FLOAT or MET_DOUBLE.")
 
 
+def choose_time_step(reader, path: str, image: vtkImageData, time_step: int) -> None:
+    """Keep one of the volumes that NIfTI's reader hands over as components; other files have one."""
+    steps = max(1, reader.GetTimeDimension()) if isinstance(reader, vtkNIFTIImageReader) else 1
+    if time_step > steps:
+        raise UserError(
+            f"{quoted(path)} has {steps} time steps: choose one of these instead of {time_step}.")
+    if time_step > 1:
+        scalars = image.GetPointData().GetScalars()
+        samples = vtk_to_numpy(scalars).reshape(image.GetNumberOfPoints(), steps, -1)
+        _set_samples(image, samples[:, time_step - 1])
+
+
 def apply_header(reader, path: str, image: vtkImageData) -> None:
     """Samples become the values that they stand for, and lie where the header says."""
     if isinstance(reader, vtkMetaImageReader):
@@ -60,9 +74,10 @@ def apply_header(reader, path: str, image: vtkImageData) -> None:
         header = reader.GetNIFTIHeader()
         if header is None or header.GetDataType() not in NIFTI_COLORS:
             _rescale(image, reader.GetRescaleSlope(), reader.GetRescaleIntercept())
-        # Among the patient's axes: the scanner's (q) or a template's (s).
-        matrix = reader.GetSFormMatrix() or reader.GetQFormMatrix()
-        if matrix and abs(matrix.Determinant()) > 0.0:
+        # Among the patient's axes: the scanner's (q) or, first, those of another image (s).
+        matrix = next((matrix for matrix in (reader.GetSFormMatrix(), reader.GetQFormMatrix())
+                       if matrix and abs(matrix.Determinant()) > 0.0), None)
+        if matrix:
             image.SetDirectionMatrix([matrix.GetElement(i, j) for i in range(3) for j in range(3)])
             image.SetOrigin([matrix.GetElement(i, 3) for i in range(3)])
 
@@ -73,11 +88,18 @@ def _rescale(image: vtkImageData, slope: float, offset: float) -> None:
     if is_none or not scalars or not (math.isfinite(slope) and math.isfinite(offset)):
         return
     samples = vtk_to_numpy(scalars)
-    kind = numpy.float32 if samples.dtype.itemsize < 4 or samples.dtype == numpy.float32 else numpy.float64
     with numpy.errstate(all="ignore"):
-        values = (samples.astype(numpy.float64) * slope + offset).astype(kind)
+        values = samples.astype(numpy.float64) * slope + offset
+    is_whole = float(slope).is_integer() and float(offset).is_integer()
+    most = MOST_WHOLE if is_whole else FLOAT_STEPS * abs(slope)
+    if samples.dtype.kind != "f" and abs(values).max(initial=0.0) <= most:
+        values = values.astype(numpy.float32)
+    _set_samples(image, values)
+
+
+def _set_samples(image: vtkImageData, values: numpy.ndarray) -> None:
     array = numpy_to_vtk(values, deep=1)
-    array.SetName(scalars.GetName())
+    array.SetName(image.GetPointData().GetScalars().GetName())
     image.GetPointData().SetScalars(array)
 
 

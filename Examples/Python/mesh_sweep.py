@@ -28,6 +28,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter, vtkDelaunay3D
 from vtkmodules.vtkIOXML import vtkXMLStructuredGridReader, vtkXMLUnstructuredGridReader
 from vtkTemporalCoherence import write_png
+from whole import require_whole
 
 READERS = {".vtu": vtkXMLUnstructuredGridReader, ".vts": vtkXMLStructuredGridReader}
 
@@ -68,6 +69,7 @@ def _read_untried(path: str, suffix: str) -> vtkDataSet:
     reader = READERS[suffix]()
     reader.SetFileName(path)
     with errors_of_vtk() as errors:
+        require_whole(path, reader)
         if reader.CanReadFile(path):
             reader.Update()
     mesh = reader.GetOutput()

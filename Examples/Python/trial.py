@@ -57,14 +57,14 @@ def try_reading(path: str, read: Callable[[], None]) -> None:
         raise UserError(refusal)
     number = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
     if number == signal.SIGXCPU:
-        raise _damaged(path, "to read it would take too long")
+        raise damaged(path, "to read it would take too long")
     if number == signal.SIGKILL:
-        raise _damaged(path, "it takes more time or memory than there is")
+        raise damaged(path, "it takes more time or memory than there is")
     if status:
-        raise _damaged(path, "VTK's reader fails on it")
+        raise damaged(path, "its reader fails on it")
 
 
-def _damaged(path: str, reason: str) -> UserError:
+def damaged(path: str, reason: str) -> UserError:
     return UserError(
         f"{quoted(path)} could not be read as an image or a grid: {reason}; check that it is a whole "
         f"file of the format that its suffix tells.")
@@ -73,7 +73,7 @@ def _damaged(path: str, reason: str) -> UserError:
 def require_bytes(path: str, there: int) -> None:
     """Refuse a file that cannot hold so many bytes of samples, however they are compressed."""
     if there > (1 << 20) + WIDER * _bytes_with_parts(path) * _inflation(path):
-        raise _damaged(path, "its header tells of more samples than it can hold")
+        raise damaged(path, "its header tells of more samples than it can hold")
 
 
 def _read_and_end(read: Callable[[], None], sender: int, seconds: float, memory: float) -> None:

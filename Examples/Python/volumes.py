@@ -6,9 +6,11 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import math
 import os
 import pathlib
 import sys
+import tempfile
 import warnings
 from typing import Callable, Iterator
 
@@ -20,9 +22,11 @@ try:
     from vtkmodules.vtkCommonCore import vtkDataArray, vtkOutputWindow, vtkStringOutputWindow
     from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkDataSetAttributes, vtkImageData
     from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkSLCReader
-    from vtkmodules.vtkIOLegacy import vtkStructuredPointsReader
+    from vtkmodules.vtkIOLegacy import vtkDataReader, vtkStructuredPointsReader
     from vtkmodules.vtkIOXML import vtkXMLImageDataReader
-    from medical import apply_header, require_known_type
+    from drawn import Drawn
+    from medical import apply_header, choose_time_step, require_known_type
+    from whole import require_whole
     from vtkTemporalCoherence import numpy_to_image
 except ImportError as missing:
     sys.exit(
@@ -39,6 +43,7 @@ READERS = {
     ".slc": vtkSLCReader,
 }
 SUFFIXES = ", ".join([".npy", *READERS])
+MOST_SAID = 1 << 16  # bytes of what libraries write on the terminal
 
 
 def add_volume_arguments(arguments: argparse.ArgumentParser) -> None:
@@ -46,6 +51,9 @@ def add_volume_arguments(arguments: argparse.ArgumentParser) -> None:
         "volume", nargs="?",
         help=f"a file {SUFFIXES} (an array [z, y, x]); default: four generated spheres")
     arguments.add_argument("--array", help="the array to draw, of points or cells; default: the file's scalars")
+    arguments.add_argument(
+        "--time-step", type=number_from(1), default=1, metavar="N",
+        help="which volume of a NIfTI that has several; default: 1")
 
 
 def number_from(least: int, most: int = 1000000) -> Callable[[str], int]:
@@ -70,7 +78,7 @@ def volume_of(arguments: argparse.Namespace) -> vtkImageData:
     if arguments.volume is None:
         image = make_spheres(128)
     else:
-        image = read_volume(arguments.volume)
+        image = read_volume(arguments.volume, arguments.time_step)
     choose_array(image, arguments.array, name_of(arguments))
     return image
 
@@ -92,7 +100,7 @@ def make_spheres(samples: int) -> vtkImageData:
     return numpy_to_image(values.astype(numpy.uint8))
 
 
-def read_volume(path: str) -> vtkImageData:
+def read_volume(path: str, time_step: int = 1) -> vtkImageData:
     if not os.path.exists(path):
         raise UserError(f"There is no file {quoted(path)}: check the path.")
     if not os.path.isfile(path):
@@ -104,17 +112,22 @@ def read_volume(path: str) -> vtkImageData:
     suffix = next((suffix for suffix in READERS if path.lower().endswith(suffix)), None)
     if suffix is None:
         raise UserError(f"The suffix of {quoted(path)} is none of {SUFFIXES}: convert the volume.")
-    try_reading(path, lambda: _read_untried(path, suffix))
-    return _read_untried(path, suffix)
+    try_reading(path, lambda: _read_untried(path, suffix, time_step))
+    return _read_untried(path, suffix, time_step)
 
 
-def _read_untried(path: str, suffix: str) -> vtkImageData:
+def _read_untried(path: str, suffix: str, time_step: int) -> vtkImageData:
     """A reader may end the program here."""
     if suffix in (".mhd", ".mha"):
         require_known_type(path)
     reader = READERS[suffix]()
     reader.SetFileName(path)
+    if suffix == ".vtk":
+        read_all_arrays(reader)
+    if suffix.startswith(".nii"):
+        reader.SetTimeAsVector(time_step > 1)
     with errors_of_vtk() as errors:
+        remark = require_whole(path, reader)
         reader.Update()
     image = reader.GetOutput()
     # Only the reader of legacy files tells by a warning that a file ends too early.
@@ -123,8 +136,17 @@ def _read_untried(path: str, suffix: str) -> vtkImageData:
             f"{quoted(path)} could not be read as an image: check that it is a whole file of the format "
             f"that its suffix tells.")
     require_bytes(path, 1024 * image.GetActualMemorySize())
+    choose_time_step(reader, path, image, time_step)
     apply_header(reader, path, image)
+    if remark:
+        print(remark)
     return image
+
+
+def read_all_arrays(reader: vtkDataReader) -> None:
+    """Of legacy files VTK reads the first array of each kind by default."""
+    for kind in ("Scalars", "Vectors", "Normals", "Tensors", "ColorScalars", "TCoords", "Fields"):
+        getattr(reader, f"ReadAll{kind}On")()
 
 
 def drawn_scalars(data: vtkDataSet) -> vtkDataArray | None:
@@ -132,14 +154,15 @@ def drawn_scalars(data: vtkDataSet) -> vtkDataArray | None:
     return data.GetPointData().GetScalars() or data.GetCellData().GetScalars()
 
 
-def _varies(array: vtkDataArray) -> bool:
-    low, high = array.GetFiniteRange(0)
-    return low < high
-
-
 def choose_scalars(data: vtkDataSet, name: str | None, what: str) -> None:
     """Make an array what is drawn: the named one, else the scalars, else the first one that varies."""
-    arrays = {}
+    arrays, drawn = {}, Drawn(data)
+
+    def varies(name: str) -> bool:
+        attributes, _, array = arrays[name]
+        low, high = drawn.range(array, attributes is data.GetCellData())
+        return low < high
+
     for attributes, count in (
             (data.GetPointData(), data.GetNumberOfPoints()), (data.GetCellData(), data.GetNumberOfCells())):
         for index in range(attributes.GetNumberOfArrays()):
@@ -155,7 +178,7 @@ def choose_scalars(data: vtkDataSet, name: str | None, what: str) -> None:
         own = data.GetPointData().GetScalars()
         names = [own.GetName() or ""] if own else []
         names = [name for name in [*names, *arrays] if name in arrays]
-        name = next((name for name in names if _varies(arrays[name][2])), names[0])
+        name = next((name for name in names if varies(name)), names[0])
     if name not in arrays:
         there = shortened(printable(", ".join(arrays)))
         raise UserError(f"{what} has no array {quoted(name)}: choose one of {there}.")
@@ -195,8 +218,12 @@ def _check_place(image: vtkImageData, what: str) -> None:
 
 
 def value_range(data: vtkDataSet, what: str) -> tuple[float, float]:
-    """The least and the greatest number among the scalars; an error if there is no surface."""
-    low, high = drawn_scalars(data).GetFiniteRange(0)
+    """The least and the greatest number among the scalars that are drawn; an error if there is no surface."""
+    low, high = Drawn(data).range(drawn_scalars(data), not data.GetPointData().GetScalars())
+    if not math.isfinite(high - low) and low < high:
+        raise UserError(
+            f"The values of {what}, {low:g} to {high:g}, lie too far apart to choose isovalues between them: scale "
+            f"them down.")
     if not low < high:
         attributes = (data.GetPointData(), data.GetCellData())
         names = [of.GetArrayName(index) or "" for of in attributes for index in range(of.GetNumberOfArrays())]
@@ -226,10 +253,15 @@ def _read_array(path: str) -> vtkImageData:
         raise UserError(f"{quoted(path)} could not be read as a NumPy volume: {reason}.") from error
 
 
-def _has_errors(said: str | bytes, are_warnings: bool) -> bool:
+#: What MetaIO says on the terminal of a file that is not whole.
+SHORT_FILE = ("not read completely", "Uncompress failed")
+
+
+def _has_errors(said: str | bytes, on_terminal: str, are_warnings: bool) -> bool:
     # What VTK cites of a file may be no UTF-8.
     text = said.decode("latin-1") if isinstance(said, bytes) else said
-    return "ERROR:" in text or (are_warnings and "Generic Warning:" in text)
+    return "ERROR:" in text or (are_warnings and "Generic Warning:" in text) or any(
+        words in on_terminal for words in SHORT_FILE)
 
 
 @contextlib.contextmanager
@@ -239,14 +271,17 @@ def errors_of_vtk() -> Iterator[Callable[..., bool]]:
     vtkOutputWindow.SetInstance(window)
     sys.stdout.flush()
     kept = [os.dup(stream) for stream in (1, 2)]
-    nowhere = os.open(os.devnull, os.O_WRONLY)
+    on_terminal = ""
+    file = tempfile.TemporaryFile()
     try:
         for stream in (1, 2):
-            os.dup2(nowhere, stream)
-        yield lambda are_warnings=False: _has_errors(window.GetOutput(), are_warnings)
+            os.dup2(file.fileno(), stream)
+        yield lambda are_warnings=False: _has_errors(window.GetOutput(), on_terminal, are_warnings)
     finally:
         for stream, copy in zip((1, 2), kept):
             os.dup2(copy, stream)
             os.close(copy)
-        os.close(nowhere)
+        file.seek(0)
+        on_terminal = file.read(MOST_SAID).decode("latin-1")
+        file.close()
         vtkOutputWindow.SetInstance(before)

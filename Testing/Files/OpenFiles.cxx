@@ -45,8 +45,9 @@ const char* const Usage =
 
 usage: OpenFiles < REQUESTS
 
-A request is a line WAY<tab>FILE<tab>SAID[<tab>LAYOUT]: WAY is explorer, session, orbit, tell or pass, FILE
-what is opened, SAID a file for what is printed, LAYOUT what --raw takes, or of tell an array. With
+A request is a line WAY<tab>FILE<tab>SAID[<tab>LAYOUT[<tab>TIME]]: WAY is explorer, session, orbit, tell or
+pass, FILE what is opened, SAID a file for what is printed, LAYOUT what --raw takes, or of tell an
+array, TIME its time step, from 1. With
 tell nothing is drawn: what was read is told, and where its samples lie; with pass it is handed over by
 a file first, as from a process that tries it. The answer is a line with the
 status that wait() gave and the most memory that the process had, in KiB: "0 51234". A process that
@@ -55,7 +56,7 @@ takes more than 20 s is ended by SIGALRM; one that asks for more than 1 GiB is r
 
 struct Request
 {
-  std::string Way, File, Said, Layout;
+  std::string Way, File, Said, Layout, Time;
 };
 
 Request Parse(const std::string& line)
@@ -66,6 +67,7 @@ Request Parse(const std::string& line)
   std::getline(in, request.File, '\t');
   std::getline(in, request.Said, '\t');
   std::getline(in, request.Layout, '\t');
+  std::getline(in, request.Time, '\t');
   return request;
 }
 
@@ -82,7 +84,7 @@ void Tell(VolumeSource source, const std::string& array, const std::string& onTh
   }
   const Histogram histogram = CountSamples(volume);
   std::printf("array %s%s\n", volume.Array.Name.c_str(), volume.Array.IsOnCells ? " of cells" : "");
-  std::printf("range %g %g\n", histogram.Range[0], histogram.Range[1]);
+  std::printf("range %.10g %.10g\n", histogram.Range[0], histogram.Range[1]);
   int n[3] = { 0, 0, 0 };
   if (auto* image = vtkImageData::SafeDownCast(volume.Data))
   {
@@ -107,7 +109,7 @@ void Tell(VolumeSource source, const std::string& array, const std::string& onTh
     }
     const double value =
       volume.Array.IsOnCells ? 0.0 : ShownArrays(volume).front()->GetComponent(point, 0);
-    std::printf("sample %g %g %g %g\n", place[0], place[1], place[2], value);
+    std::printf("sample %g %g %g %.10g\n", place[0], place[1], place[2], value);
   }
   if (!volume.Remark.empty())
   {
@@ -142,6 +144,7 @@ int Open(const Request& request)
     {
       VolumeSource source;
       source.Path = request.File;
+      source.TimeStep = request.Time.empty() ? 1 : std::stoi(request.Time);
       if (request.Way == "tell" || request.Way == "pass")
       {
         Tell(source, request.Layout, request.Way == "pass" ? request.Said + ".passed" : "");

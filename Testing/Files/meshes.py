@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import struct
 from typing import Callable
 
 SIZE = (5, 4, 4)
@@ -159,6 +160,99 @@ SCALARS ball float {t(1)}
 LOOKUP_TABLE default
 {text_of(values(), rarely)}
 """.encode()
+
+
+def pieces(extents, whole: str = "0 7 0 4 0 4", has_cells: bool = False) -> bytes:
+    """An image in pieces, with values of 100 and more at its points."""
+    text = ""
+    for extent in extents:
+        ends = list(map(int, extent.split()))
+        of_points, of_cells = (
+            range(100, 100 + math.prod(b - a + more for a, b in zip(ends[::2], ends[1::2]))) for more in (1, 0))
+        text += f'<Piece Extent="{extent}"><PointData>' + array("ball", "Float32", of_points, str) + "</PointData>"
+        text += "<CellData>" + array("more", "Float32", of_cells, str) + "</CellData>" if has_cells else ""
+        text += "</Piece>"
+    return f"""<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian"><ImageData WholeExtent="{whole}"
+Origin="0 0 0" Spacing="1 1 1">{text}</ImageData></VTKFile>""".encode()
+
+
+def hexahedra_and_quad(where: str) -> bytes:
+    """Two hexahedra between values of 0 and 1, and a quad between values of 100, in PointData or CellData."""
+    places = [(x, y, z) for x in range(3) for z in (0, 1) for y in (0, 1)] + [
+        (9, 0, 0), (9, 1, 0), (9, 1, 1), (9, 0, 1)]
+    numbers = [place[0] / 2 if place[0] < 9 else 100 for place in places] if where == "PointData" else [0, 1, 100]
+    corners = [(0, 4, 5, 1, 2, 6, 7, 3), (4, 8, 9, 5, 6, 10, 11, 7), (12, 13, 14, 15)]
+    content = f"<{where}>" + array("value", "Float32", numbers, str) + f"</{where}><Points>" + array(
+        "Points", "Float32", [x for place in places for x in place], str, 3) + "</Points><Cells>" + \
+        array("connectivity", "Int64", [p for cell in corners for p in cell], str) + \
+        array("offsets", "Int64", (8, 16, 20), str) + array("types", "UInt8", (12, 12, 9), str) + "</Cells>"
+    return xml("UnstructuredGrid", f'NumberOfPoints="{len(places)}" NumberOfCells="3"', content)
+
+
+def netcdf(dimensions: dict[str, int], variables: dict[str, tuple], texts: dict[str, object]) -> bytes:
+    """A file in netCDF's classic format: Unidata, "NetCDF Classic Format Specification".
+
+    A dimension of 0 is that of records, of which there is one. Variables are (dimensions, type, values,
+    attributes); types "c", "i" and "d" are those of struct.
+    """
+    types = {"c": (2, 1), "i": (4, 4), "d": (6, 8)}
+
+    def number(value):
+        return struct.pack(">i", value)
+
+    def name(text):
+        return number(len(text)) + padded(text.encode())
+
+    def padded(data):
+        return data + bytes(-len(data) % 4)
+
+    def listed(tag, items):
+        return (number(tag) if items else number(0)) + number(len(items)) + b"".join(items)
+
+    def attributes(of):
+        return listed(12, [
+            name(key) + (number(2) + name(value) if isinstance(value, str) else
+                         number(4) + number(1) + number(value) if isinstance(value, int) else
+                         number(5) + number(1) + struct.pack(">f", value)) for key, value in of.items()])
+
+    names = list(dimensions)
+    contents = {}
+    for key, (axes, code, values, _) in variables.items():
+        data = values.encode().ljust(math.prod(dimensions[a] or 1 for a in axes), b"\0") if code == "c" \
+            else struct.pack(f">{len(values)}{code}", *values)
+        contents[key] = padded(data)
+    order = sorted(variables, key=lambda key: any(dimensions[axis] == 0 for axis in variables[key][0]))
+
+    def head(begins):
+        return b"CDF\1" + number(1) + listed(
+            10, [name(key) + number(size) for key, size in dimensions.items()]) + attributes(texts) + listed(
+                11, [name(key) + number(len(variables[key][0])) +
+                     b"".join(number(names.index(axis)) for axis in variables[key][0]) +
+                     attributes(variables[key][3]) + number(types[variables[key][1]][0]) +
+                     number(len(contents[key])) + number(begins.get(key, 0)) for key in variables])
+
+    begins, at = {}, len(head({}))
+    for key in order:
+        begins[key] = at
+        at += len(contents[key])
+    return head(begins) + b"".join(contents[key] for key in order)
+
+
+def exodus() -> bytes:
+    """Hexahedra with a value at each node, at one time."""
+    count, ids = len(points()), [number + 1 for cell in cells() for number in cell]
+    return netcdf(
+        {"len_string": 33, "time_step": 0, "num_dim": 3, "num_nodes": count, "num_elem": len(cells()),
+         "num_el_blk": 1, "num_el_in_blk1": len(cells()), "num_nod_per_el1": 8, "num_nod_var": 1},
+        {"time_whole": (("time_step",), "d", [0.0], {}),
+         "eb_status": (("num_el_blk",), "i", [1], {}),
+         "eb_prop1": (("num_el_blk",), "i", [1], {"name": "ID"}),
+         **{f"coord{axis}": (("num_nodes",), "d", [point[i] for point in points()], {})
+            for i, axis in enumerate("xyz")},
+         "connect1": (("num_el_in_blk1", "num_nod_per_el1"), "i", ids, {"elem_type": "HEX8"}),
+         "name_nod_var": (("num_nod_var", "len_string"), "c", "ball", {}),
+         "vals_nod_var1": (("time_step", "num_nodes"), "d", values(), {})},
+        {"api_version": 5.0, "version": 5.0, "floating_point_word_size": 8, "file_size": 1, "title": "a ball"})
 
 
 def rarer(twist) -> Callable[[object], object]:

@@ -225,6 +225,17 @@ ElementDataFile = {"LOCAL" if local else "a.raw"}
     return write
 
 
+#: What makes meta(True) contradict itself: what is replaced, by what, and a word of the refusal.
+META_CONTRADICTIONS = (
+    (b"DimSize = 9 8 7", b"DimSize = 9 8", ""),
+    (b"DimSize = 9 8 7", b"DimSize = 9 8 0", "fewer samples"), (b"Channels = 1", b"Channels = 0", "fewer samples"),
+    (b"Channels = 1", b"Channels = 2", "fewer samples"), (b"MET_SHORT", b"MET_FLOAT", "fewer samples"),
+    (b"HeaderSize = -1", b"HeaderSize = 20", "fewer samples"),
+    (b"HeaderSize = -1", b"HeaderSize = 9000", "fewer samples"), (b"BinaryData = True", b"BinaryData = False", ""),
+    (b"CompressedData = False", b"CompressedData = True", ""), (b"= LOCAL", b"= b.raw", "b.raw"),
+    (b"ElementDataFile = LOCAL", b"", ""), (b"DimSize = 9 8 7", b"", ""))
+
+
 def meta_wordy(twist: Twist) -> Original:
     """What MetaIO reads, though it seldom writes it."""
     original = meta(True)(twist)
@@ -312,56 +323,98 @@ def slc(compressed: bool) -> Callable[[Twist], Original]:
 
 # --- DICOM --------------------------------------------------------------------------------------
 
-def dicom(implicit: bool) -> Callable[[Twist], Original]:
+#: Transfer syntaxes. All but the first write kinds of values; the last one, as others, compresses pixels.
+IMPLICIT, EXPLICIT, BIG_ENDIAN, RLE = (
+    "1.2.840.10008.1.2", "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2", "1.2.840.10008.1.2.5")
+LONG_KINDS = ("OB", "OW", "SQ", "UN")
+
+
+def dicom_element(tag: tuple[int, int], kind: str, value: object, syntax: str, twist: Twist) -> bytes:
+    """A value is text, bytes, whole numbers of 16 bits, or, of a sequence, the elements of its items."""
+    order = ">" if syntax == BIG_ENDIAN else "<"
+    length = None
+    if kind == "SQ":
+        def item(element: int, size: int, content: bytes = b"") -> bytes:
+            return struct.pack(order + "HHI", 0xfffe, element, size) + content
+        value = b"".join(
+            item(0xe000, 0xffffffff, dicom_elements(elements, syntax, twist)) + item(0xe00d, 0)
+            for elements in value) + item(0xe0dd, 0)
+        length = 0xffffffff
+    elif isinstance(value, (list, tuple)):
+        value = struct.pack(f"{order}{len(value)}H", *(whole(twist(number), 16) for number in value))
+    elif not isinstance(value, bytes):
+        value = str(value).encode()
+    if kind == "OB" and syntax not in (IMPLICIT, EXPLICIT, BIG_ENDIAN):
+        length = 0xffffffff  # of fragments
+    value += b"\0" * (len(value) % 2)
+    length = whole(twist(len(value) if length is None else length), 32)
+    head = struct.pack(order + "HH", *tag)
+    if syntax == IMPLICIT:
+        return head + struct.pack("<I", length) + value
+    if kind in LONG_KINDS:
+        return head + kind.encode() + bytes(2) + struct.pack(order + "I", length) + value
+    return head + kind.encode() + struct.pack(order + "H", whole(length, 16)) + value
+
+
+def dicom_elements(elements: dict, syntax: str, twist: Twist) -> bytes:
+    return b"".join(
+        dicom_element(tag, *elements[tag], syntax, twist) for tag in sorted(elements) if elements[tag])
+
+
+def run_lengths(pixels: bytes) -> bytes:
+    """Fragments of one frame of 16 bits as RLE has them: upper bytes, then lower ones, all copied."""
+    parts = [b"".join(bytes([len(part) - 1]) + part for part in (
+        half[at:at + 128] for at in range(0, len(half), 128))) for half in (pixels[1::2], pixels[::2])]
+    parts = [part + b"\x80" * (len(part) % 2) for part in parts]
+    frame = struct.pack("<16I", 2, 64, 64 + len(parts[0]), *13 * [0]) + b"".join(parts)
+    return struct.pack("<HHI", 0xfffe, 0xe000, 0) + struct.pack("<HHI", 0xfffe, 0xe000, len(frame)) + \
+        frame + struct.pack("<HHI", 0xfffe, 0xe0dd, 0)
+
+
+def dicom(syntax: str = EXPLICIT, change: Callable[[int], dict] = lambda k: {}) -> Callable[[Twist], Original]:
+    """Slices. Of each, elements may be changed: tags that go with a kind and a value, or with None."""
     def write(twist: Twist) -> Original:
         t = twist
         nx, ny, nz = SIZE
-
-        def element(group, tag, kind, value):
-            value = value if isinstance(value, bytes) else str(value).encode()
-            value += b"\0" * (len(value) % 2)
-            head = struct.pack("<HH", group, tag)
-            if implicit and group != 2:
-                return head + struct.pack("<I", whole(t(len(value)), 32)) + value
-            if kind in ("OW", "OB"):
-                return head + kind.encode() + bytes(2) + struct.pack(
-                    "<I", whole(t(len(value)), 32)) + value
-            return head + kind.encode() + struct.pack("<H", whole(t(len(value)), 16)) + value
-
-        def us(value):
-            return struct.pack("<H", whole(t(value), 16))
-
-        data = packed("<H")
         files = {}
         for k in range(nz):
-            syntax = "1.2.840.10008.1.2" + ("" if implicit else ".1")
-            meta_group = element(2, 0x10, "UI", syntax) + element(2, 0x12, "UI", "1.2.3")
-            content = bytes(128) + b"DICM" + element(2, 0, "UL", struct.pack(
-                "<I", whole(t(len(meta_group)), 32))) + meta_group
-            for tag in (
-                    (0x08, 0x60, "CS", "MR"), (0x10, 0x10, "PN", "ball"),
-                    (0x18, 0x50, "DS", t(2)), (0x20, 0x0d, "UI", "1.2.3"),
-                    (0x20, 0x0e, "UI", "1.2.3.4"), (0x20, 0x13, "IS", t(k + 1)),
-                    (0x20, 0x32, "DS", f"{t(0)}\\{t(0)}\\{t(2 * k)}"),
-                    (0x20, 0x37, "DS", f"{t(1)}\\{t(0)}\\{t(0)}\\{t(0)}\\{t(1)}\\{t(0)}"),
-                    (0x28, 0x02, "US", us(1)), (0x28, 0x04, "CS", "MONOCHROME2"),
-                    (0x28, 0x10, "US", us(ny)), (0x28, 0x11, "US", us(nx)),
-                    (0x28, 0x30, "DS", f"{t(1)}\\{t(0.5)}"), (0x28, 0x100, "US", us(16)),
-                    (0x28, 0x101, "US", us(16)), (0x28, 0x102, "US", us(15)),
-                    (0x28, 0x103, "US", us(0)), (0x28, 0x1052, "DS", t(0)), (0x28, 0x1053, "DS", t(1)),
-                    (0x7fe0, 0x10, "OW", data[2 * k * nx * ny:2 * (k + 1) * nx * ny])):
-                content += element(*tag)
-            files[f"{k}.dcm"] = content
+            elements = {
+                (0x08, 0x60): ("CS", "MR"), (0x10, 0x10): ("PN", "ball"), (0x18, 0x50): ("DS", t(2)),
+                (0x20, 0x0d): ("UI", "1.2.3"), (0x20, 0x0e): ("UI", "1.2.3.4"), (0x20, 0x13): ("IS", t(k + 1)),
+                (0x20, 0x32): ("DS", f"{t(0)}\\{t(0)}\\{t(2 * k)}"),
+                (0x20, 0x37): ("DS", f"{t(1)}\\{t(0)}\\{t(0)}\\{t(0)}\\{t(1)}\\{t(0)}"),
+                (0x28, 0x02): ("US", [1]), (0x28, 0x04): ("CS", "MONOCHROME2"), (0x28, 0x10): ("US", [ny]),
+                (0x28, 0x11): ("US", [nx]), (0x28, 0x30): ("DS", f"{t(1)}\\{t(0.5)}"),
+                (0x28, 0x100): ("US", [16]), (0x28, 0x101): ("US", [16]), (0x28, 0x102): ("US", [15]),
+                (0x28, 0x103): ("US", [0]), (0x28, 0x1052): ("DS", t(0)), (0x28, 0x1053): ("DS", t(1)),
+                (0x7fe0, 0x10): ("OW", [round(value) for value in ball()[k * nx * ny:(k + 1) * nx * ny]]),
+                **change(k)}
+            if syntax == RLE:
+                pixels = elements[0x7fe0, 0x10][1]
+                pixels = pixels if isinstance(pixels, bytes) else struct.pack(f"<{len(pixels)}H", *pixels)
+                elements[0x7fe0, 0x10] = ("OB", run_lengths(pixels))
+            meta_group = dicom_elements(
+                {(2, 0x10): ("UI", syntax), (2, 0x12): ("UI", "1.2.3")}, EXPLICIT, t)
+            files[f"{k}.dcm"] = bytes(128) + b"DICM" + dicom_element(
+                (2, 0), "UL", struct.pack("<I", whole(t(len(meta_group)), 32)), EXPLICIT, t) + \
+                meta_group + dicom_elements(elements, syntax, t)
         return Original("", files, words=[
-            b"US", b"OW", b"SQ", b"UN", b"DS", b"1.2.840.10008.1.2", b"1.2.840.10008.1.2.2",
+            b"US", b"OW", b"SQ", b"UN", b"DS", IMPLICIT.encode(), BIG_ENDIAN.encode(), RLE.encode(),
             b"1.2.840.10008.1.2.4.50", struct.pack("<HHI", 0xfffe, 0xe000, 0xffffffff)])
     return write
 
 
+#: A small picture of the slice, before its own pixels.
+ICON = {(0x88, 0x200): ("SQ", [{
+    (0x28, 0x02): ("US", [1]), (0x28, 0x04): ("CS", "MONOCHROME2"), (0x28, 0x10): ("US", [2]),
+    (0x28, 0x11): ("US", [3]), (0x28, 0x100): ("US", [8]), (0x28, 0x101): ("US", [8]),
+    (0x28, 0x102): ("US", [7]), (0x28, 0x103): ("US", [0]), (0x7fe0, 0x10): ("OW", bytes(range(200, 206)))}])}
+
+
 def dicom_with_report(twist: Twist) -> Original:
     """A file of another series, which has no pixels, among the slices."""
-    original = dicom(False)(twist)
-    report = dicom(False)(lambda value: value).files["0.dcm"]
+    original = dicom()(twist)
+    report = dicom()(lambda value: value).files["0.dcm"]
     at = report.index(struct.pack("<HH", 0x28, 2))
     original.files["9.dcm"] = report[:at].replace(b"1.2.3.4\0", b"1.2.3.9\0")
     return original
@@ -461,8 +514,10 @@ ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "nii-gz": nifti(True),
     "slc": slc(False),
     "slc-runs": slc(True),
-    "dicom": dicom(False),
-    "dicom-implicit": dicom(True),
+    "dicom": dicom(),
+    "dicom-implicit": dicom(IMPLICIT, lambda k: ICON),
+    "dicom-big-endian": dicom(BIG_ENDIAN, lambda k: ICON),
+    "dicom-rle": dicom(RLE, lambda k: ICON),
     "dicom-report": dicom_with_report,
     "vtu": mesh("a.vtu", meshes.vtu),
     "vts": mesh("a.vts", meshes.vts),

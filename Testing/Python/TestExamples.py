@@ -353,7 +353,7 @@ class Volumes(Example):
         numpy.save(self.folder / "objects.npy", numpy.full((5, 5, 5), None))
         for program, (words, arguments) in zip(itertools.cycle(PROGRAMS), (
                 ("There is no file 'missing.vti': check the path", ["missing.vti"]),
-                ("'broken.vti' could not be read as an image: check", ["broken.vti"]),
+                ("'broken.vti' could not be read as an image", ["broken.vti"]),
                 ("'broken.vtk' could not be read as an image", ["broken.vtk"]),
                 ("'broken.mhd' could not be read as an image", ["broken.mhd"]),
                 ("'broken.nii' could not be read as an image", ["broken.nii"]),
@@ -375,8 +375,8 @@ class Volumes(Example):
             self.assert_refused(words, program, *arguments)
 
 
-class Headers(Example):
-    """What files of scanners say is applied."""
+class Files(Example):
+    """Files that are read here, by what the examples share."""
 
     def setUp(self):
         super().setUp()
@@ -384,11 +384,15 @@ class Headers(Example):
             sys.path.insert(0, str(folder))
             self.addCleanup(sys.path.remove, str(folder))
 
-    def read(self, name, data):
+    def read(self, name, data, time_step=1):
         from volumes import read_volume
         path = self.folder / name
         path.write_bytes(data)
-        return read_volume(str(path))
+        return read_volume(str(path), time_step)
+
+
+class Headers(Files):
+    """What files of scanners say is applied."""
 
     def place(self, image, index):
         point = [0.0, 0.0, 0.0]
@@ -416,6 +420,46 @@ class Headers(Example):
         self.assertLess(steps[0][0], 0.0)
         self.assertEqual([[abs(x) > 1e-4 for x in step] for step in steps], [
             [True, False, False], [False, False, True], [False, True, False]])
+
+    def test_nifti_of_scanner_or_template(self):
+        from originals import nifti
+        plain = nifti(False)(lambda value: value).files["a.nii"]
+        by_template, by_scanner = (5, 6, 7), (10, 20, 30)
+        sform, nothing = (1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7), 12 * [0]
+        for codes, rows, expected in (((1, 2), sform, by_template), ((0, 2), sform, by_template),
+                                      ((1, 0), sform, by_scanner), ((1, 2), nothing, by_scanner)):
+            data = bytearray(plain)
+            struct.pack_into("<2h6f", data, 252, *codes, 0, 0, 0, *by_scanner)
+            struct.pack_into("<12f", data, 280, *rows)
+            self.assert_close(self.place(self.read("a.nii", bytes(data)), (0, 0, 0)), expected)
+        data = bytearray(plain)
+        struct.pack_into("<f", data, 76, -1)  # the scanner's slices lie the other way round
+        struct.pack_into("<2h6f", data, 252, 1, 0, 0, 0, 0, *by_scanner)
+        image = self.read("a.nii", bytes(data))
+        ends = [self.place(image, (0, 0, k)) for k in (0, image.GetDimensions()[2] - 1)]
+        self.assert_close(sorted(place[2] for place in ends), (18, 30))
+
+    def test_nifti_of_several_volumes(self):
+        from originals import nifti
+        data = bytearray(nifti(False)(lambda value: value).files["a.nii"])
+        struct.pack_into("<h", data, 40, 4)
+        struct.pack_into("<h", data, 48, 3)  # volumes
+        first = numpy.frombuffer(bytes(data[352:]), "<i2")
+        data += (first + 1000).tobytes() + (first - 1000).tobytes()
+        for time, add in ((1, 0), (2, 1000), (3, -1000)):
+            scalars = self.read("a.nii", bytes(data), time).GetPointData().GetScalars()
+            self.assertTrue((vtk_to_numpy(scalars).ravel() == first + add).all())
+        self.assert_refused("'a.nii' has 3 time steps", "render_server.py", "a.nii", "--time-step", "4")
+
+    def test_values_beyond_the_type(self):
+        from originals import nifti
+        plain = nifti(False)(lambda value: value).files["a.nii"]
+        low, high = self.read("plain.nii", plain).GetScalarRange()
+        for slope, intercept in ((1, 40000), (1, 1e9), (0.5, 2 ** 24), (-1001, 0), (123457, 1), (0, 5)):
+            data = bytearray(plain)
+            struct.pack_into("<2f", data, 112, slope, intercept)
+            values = (slope * low + intercept, slope * high + intercept) if slope else (low, high)
+            self.assertEqual(self.read("a.nii", bytes(data)).GetScalarRange(), tuple(sorted(values)))
 
     def test_meta_image(self):
         from originals import meta
@@ -467,6 +511,111 @@ class Headers(Example):
             self.run_well("render_server.py", "a.vti", "--isovalue", 0.5, "--azimuth", 0, *arguments)
             pixels = read_png(path=self.folder / "pictures" / "isovalue0.5_azimuth0.png")
             self.assertGreater(pixels.any(axis=2).mean(), 0.02)
+
+
+class WholeFiles(Files):
+    """What is missing in a file is not drawn as if it were there; Testing/Files tells of it in C++."""
+
+    def read_or_refuse(self, name, data):
+        """The samples, or the sentence."""
+        from mistakes import UserError
+        try:
+            return vtk_to_numpy(self.read(name, data).GetPointData().GetArray(0)).tobytes()
+        except UserError as error:
+            self.assertIn(name, str(error))
+            return str(error)
+
+    def test_files_that_are_cut(self):
+        from originals import ORIGINALS
+        for kind in ("vti-ascii", "vti-binary", "vti-base64", "vti-base64-zlib", "vti-raw", "vti-raw-zlib", "mha",
+                     "mha-zlib", "mha-wordy", "mhd-list", "nii", "nii-gz", "slc", "slc-runs", "vtk-large"):
+            original = ORIGINALS[kind](lambda value: value)
+            for name, data in original.files.items():
+                (self.folder / name).write_bytes(data)
+            data = original.files[original.main]
+            whole = self.read_or_refuse(original.main, data)
+            self.assertIsInstance(whole, bytes)
+            for size in (len(data) // 3, 2 * len(data) // 3, len(data) - 40, len(data) - 8, len(data) - 1):
+                with self.subTest(kind=kind, size=size):
+                    read = self.read_or_refuse(original.main, data[:size])
+                    self.assertTrue(isinstance(read, str) or read == whole)
+
+    def test_meta_images_that_contradict_themselves(self):
+        from originals import META_CONTRADICTIONS, meta
+        plain = meta(True)(lambda value: value).files["a.mha"]
+        for old, new, words in META_CONTRADICTIONS:
+            with self.subTest(new=new):
+                self.assertIn(words, self.read_or_refuse("a.mha", plain.replace(old, new, 1)))
+
+    def test_meta_images_of_slices(self):
+        from originals import meta
+        for k in range(1, 8):
+            (self.folder / f"{k}.raw").write_bytes(bytes([k, 0]) * 72)
+        header = meta(False)(lambda value: value).files["a.mhd"]
+        for names, is_whole in ((b"%d.raw 1 7 1", True), (b"%d.raw 1 6 1", False), (b"%d.raw 1 7 2", False)):
+            read = self.read_or_refuse("a.mhd", header.replace(b"a.raw", names))
+            self.assertEqual(isinstance(read, bytes), is_whole)
+
+    def test_more_than_the_header_tells(self):
+        from originals import meta
+        files = meta(False)(lambda value: value).files
+        (self.folder / "a.mhd").write_bytes(files["a.mhd"])
+        (self.folder / "a.raw").write_bytes(files["a.raw"] + bytes(10))
+        self.assertIn("10 bytes more", self.run_well("render_server.py", "a.mhd", "--size", "20"))
+
+    def test_pieces_that_do_not_cover_the_extent(self):
+        import meshes
+        for extents, has_cells, is_whole in (
+                (("0 3 0 4 0 4", "3 7 0 4 0 4"), True, True), (("0 3 0 4 0 4", "4 7 0 4 0 4"), False, True),
+                (("0 3 0 4 0 4", "4 7 0 4 0 4"), True, False), (("0 3 0 4 0 4",), False, False),
+                (("0 3 0 4 0 4", "3 7 0 4 0 2"), False, False)):
+            read = self.read_or_refuse("a.vti", meshes.pieces(extents, has_cells=has_cells))
+            self.assertTrue(isinstance(read, bytes) if is_whole else "do not cover" in read, read)
+
+    def test_meshes_that_are_cut(self):
+        import meshes
+        (self.folder / "a.vtu").write_bytes(meshes.vtu(lambda value: value)[:-20])
+        self.assert_refused("'a.vtu' could not be read", "mesh_sweep.py", "a.vtu")
+
+    def test_all_arrays_of_a_legacy_file(self):
+        from originals import ORIGINALS
+        (self.folder / "a.vtk").write_bytes(ORIGINALS["vtk-large"](lambda value: value).files["a.vtk"])
+        for name in ("ball", "more", "steps"):
+            self.run_well("render_server.py", "a.vtk", "--array", name, "--size", "20")
+
+
+class DrawnValues(Files):
+    """Isovalues are chosen among values that are drawn."""
+
+    def assert_range(self, low, high, name, data):
+        (self.folder / name).write_bytes(data)
+        said = self.run_well("mesh_sweep.py", name, "--frames", 2, "--size", "20x20")
+        self.assertIn(f" values {low:g} to {high:g}\n", said)
+
+    def test_not_those_of_faces(self):
+        import meshes
+        for where in ("PointData", "CellData"):
+            self.assert_range(0, 1, "a.vtu", meshes.hexahedra_and_quad(where))
+
+    def test_cells_of_meshes_are_averaged(self):
+        import meshes
+        numbers = [0] * len(meshes.cells())
+        numbers[-1] = 8  # at a corner of the grid, where one point is its own
+        numbers[17] = 800  # in its middle
+        self.assert_range(0, 100, "a.vts", meshes.vts(
+            str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + "</CellData>\n"))
+
+    def test_not_those_of_hidden_cells(self):
+        import meshes
+        hidden = [32 if i >= 27 else 0 for i in range(len(meshes.cells()))]
+        numbers = [1000 if mark else 5 + i % 2 for i, mark in enumerate(hidden)]
+        data = meshes.vts(str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + meshes.array(
+            "vtkGhostType", "UInt8", hidden, str) + "</CellData>\n")
+        self.assert_range(5, 6, "a.vts", data)
+
+    def test_ranges_that_are_too_large(self):
+        numpy.save(self.folder / "a.npy", numpy.resize((-1.7e308, 1.7e308, 0.0), (4, 4, 4)))
+        self.assert_refused("too far apart", "render_server.py", "a.npy")
 
 
 class RenderServer(Example):
@@ -613,7 +762,7 @@ class Help(Example):
     def test_tells_of_every_option(self):
         for program in PROGRAMS:
             said = self.run_well(program, "--help")
-            for option in ("--array", "--size", "--azimuth", "--output"):
+            for option in ("--array", "--time-step", "--size", "--azimuth", "--output"):
                 self.assertIn(option, said)
 
 

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Files/DicomSlice.h"
+#include "Files/DicomFile.h"
 #include "Files/FileCheck.h"
 #include "Files/MedicalReader.h"
 #include "Program/Quoted.h"
 
-#include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
@@ -16,9 +15,11 @@
 #include <vtkVector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace
@@ -28,13 +29,13 @@ namespace fs = std::filesystem;
 
 using Slices = std::vector<DicomSlice>;
 
-constexpr double SameDirection = 1e-3; // difference of cosines that scanners write differently
-constexpr double SameDistance = 0.02;  // of a distance between slices, that rounding makes
+constexpr double SameNumber = 1e-3;   // of cosines and distances that scanners write differently
+constexpr double SameDistance = 0.02; // of a distance between slices, that rounding makes
 
 UserError NoSeries(const std::string& path)
 {
   return UserError("The directory " + Quoted(path) +
-    " holds no DICOM series that VTK reads; name the directory with the slices themselves.");
+    " holds no DICOM series; name the directory with the slices themselves.");
 }
 
 Slices SlicesIn(const std::string& directory)
@@ -52,11 +53,8 @@ Slices SlicesIn(const std::string& directory)
   std::sort(paths.begin(), paths.end());
   for (const std::string& path : paths)
   {
-    const std::optional<DicomSlice> slice = ReadDicomHeader(path);
-    if (slice && slice->HasPixels()) // reports have none
-    {
-      slices.push_back(*slice);
-    }
+    const Slices ofFile = ReadDicomHeader(path);
+    slices.insert(slices.end(), ofFile.begin(), ofFile.end());
   }
   return slices;
 }
@@ -64,14 +62,13 @@ Slices SlicesIn(const std::string& directory)
 // Whether slices may be parts of one volume.
 bool AreParallel(const DicomSlice& a, const DicomSlice& b)
 {
-  bool areAlike = a.Rows == b.Rows && a.Columns == b.Columns && a.Components == b.Components &&
-    a.Orientation.size() == b.Orientation.size() &&
-    a.Position.has_value() == b.Position.has_value();
-  for (std::size_t i = 0; areAlike && i < a.Orientation.size(); ++i)
+  const auto areClose = [](const std::vector<double>& one, const std::vector<double>& other)
   {
-    areAlike = std::abs(a.Orientation[i] - b.Orientation[i]) < SameDirection;
-  }
-  return areAlike;
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+      [](double x, double y) { return std::abs(x - y) < SameNumber; });
+  };
+  return a.Rows == b.Rows && a.Columns == b.Columns && areClose(a.Orientation, b.Orientation) &&
+    areClose(a.Spacing, b.Spacing) && a.Position.size() == b.Position.size();
 }
 
 // The largest of groups whose members belong together; the first of several.
@@ -93,7 +90,7 @@ Slices LargestGroup(
 // As VTK's reader has them: from the end that the normal points to.
 double PlaceOf(const DicomSlice& slice)
 {
-  return slice.Normal().Dot(*slice.Position);
+  return slice.Normal().Dot(vtkVector3d(slice.Position.data()));
 }
 
 // Where slices lie: the third axis of the volume, in the frame of VTK's reader, whose axes are that
@@ -113,7 +110,8 @@ Stack StackOf(const Slices& slices)
     vtkVector3d way;
     for (int i = 0; i < 3; ++i)
     {
-      way[i] = (*slice.Position)[i] - (*slices.front().Position)[i];
+      const auto axis = static_cast<std::size_t>(i);
+      way[i] = slice.Position[axis] - slices.front().Position[axis];
     }
     return vtkVector3d(way.Dot(slices.front().Along()), -way.Dot(slices.front().Down()),
       -way.Dot(slices.front().Normal()));
@@ -130,16 +128,15 @@ Stack StackOf(const Slices& slices)
       std::abs(place[1] - share * stack.Shift[1]) <= SameDistance * step;
     if (i > 0 && !(place[2] - stack.Places[i - 1] > SameDistance * step))
     {
-      throw UserError(Quoted(slices[i].Path) + " and " + Quoted(slices[i - 1].Path) +
+      throw UserError(slices[i].Name() + " and " + slices[i - 1].Name() +
         " are slices of one DICOM series at one place; keep one slice of each place in the "
         "directory.");
     }
     if (!isOfStack)
     {
-      throw UserError(Quoted(slices[i].Path) +
+      throw UserError(slices[i].Name() +
         " lies beside the line of the other slices of its DICOM series; move slices that are no "
-        "part "
-        "of the stack elsewhere.");
+        "part of the stack elsewhere.");
     }
     stack.IsEven =
       stack.IsEven && std::abs(place[2] - step * static_cast<double>(i)) <= SameDistance * step;
@@ -147,75 +144,79 @@ Stack StackOf(const Slices& slices)
   return stack;
 }
 
-// Between columns and between rows. VTK before 9.6 takes one for the other.
-void SpacePixels(const DicomSlice& slice, vtkImageData* image)
+// Slices whose headers tell no places lie in the order of their numbers.
+void PlaceByNumber(Slices& slices)
 {
-  if (!slice.Spacing.empty())
+  std::stable_sort(slices.begin(), slices.end(),
+    [](const DicomSlice& a, const DicomSlice& b) { return a.Number < b.Number; });
+  const double told = slices.front().Distance, distance = told > 0.0 ? told : 1.0;
+  for (std::size_t i = 0; i < slices.size(); ++i)
   {
-    image->SetSpacing(slice.Spacing[1], slice.Spacing[0], image->GetSpacing()[2]);
+    slices[i].Orientation = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
+    slices[i].Position = { 0.0, 0.0, -distance * static_cast<double>(i) };
   }
 }
 
-// The samples of all slices, one after the other.
-vtkSmartPointer<vtkDataArray> SamplesOf(
-  const Slices& slices, const ReadingProgress& progress, vtkImageData* first)
+// The values of all slices, one after the other, rows from the lowest one.
+vtkSmartPointer<vtkDataArray> ValuesOf(const Slices& slices, const ReadingProgress& progress)
 {
-  vtkSmartPointer<vtkDataArray> all;
-  vtkIdType count = 0, done = 0;
-  for (std::size_t i = 0; i < slices.size(); ++i)
+  const auto row = static_cast<vtkIdType>(slices.front().Columns);
+  const auto rows = static_cast<vtkIdType>(slices.front().Rows);
+  const auto count = static_cast<vtkIdType>(slices.size());
+  std::map<std::string, vtkSmartPointer<vtkDataArray>> files;
+  ValueType type;
+  for (const DicomSlice& slice : slices)
   {
-    if (progress && !progress(static_cast<double>(i) / static_cast<double>(slices.size())))
+    vtkSmartPointer<vtkDataArray>& samples = files[slice.Path];
+    const double done = static_cast<double>(files.size()) * slice.Frames;
+    if (progress && !progress(done / static_cast<double>(slices.size() + slice.Frames)))
     {
-      throw Stopped(fs::path(slices[i].Path).parent_path().string());
+      throw Stopped(fs::path(slice.Path).parent_path().string());
     }
-    vtkNew<vtkDICOMImageReader> reader;
-    reader->SetFileName(slices[i].Path.c_str());
-    reader->Update();
-    vtkImageData* image = reader->GetOutput();
-    vtkDataArray* samples = image->GetPointData()->GetScalars();
-    if (i == 0)
+    if (!slice.Fault.empty())
     {
-      first->ShallowCopy(image);
-      count = samples ? samples->GetNumberOfTuples() : 0;
+      throw Damaged(slice.Path, slice.Fault);
     }
-    if (!samples || samples->GetNumberOfTuples() != count || count == 0 ||
-      (all && samples->GetNumberOfComponents() != all->GetNumberOfComponents()))
+    samples = samples ? samples : ReadDicomPixels(slice.Path);
+    if (samples->GetNumberOfTuples() != row * rows * slice.Frames ||
+      samples->GetNumberOfComponents() != files.begin()->second->GetNumberOfComponents())
     {
-      throw Damaged(slices[i].Path, "its slice is of another kind than others of the directory");
+      throw Damaged(slice.Path, "its slice is of another kind than others of the directory");
     }
-    // A slope that is no whole number makes floats, which may be so in one slice only.
-    if (!all || (samples->GetDataType() != all->GetDataType() && all->GetDataType() != VTK_FLOAT))
-    {
-      const auto wider = vtkSmartPointer<vtkDataArray>::Take(
-        vtkDataArray::CreateDataArray(all ? VTK_FLOAT : samples->GetDataType()));
-      wider->SetName(samples->GetName());
-      wider->SetNumberOfComponents(samples->GetNumberOfComponents());
-      wider->SetNumberOfTuples(count * static_cast<vtkIdType>(slices.size()));
-      if (all)
-      {
-        wider->InsertTuples(0, done, 0, all);
-      }
-      all = wider;
-    }
-    all->InsertTuples(done, count, 0, samples);
-    done += count;
+    type.Add(samples, slice.Values);
   }
-  return all;
+  vtkDataArray* first = files.begin()->second;
+  const auto values = MakeArrayLike(first, type.Get(), row * rows * count);
+  const vtkIdType length = row * first->GetNumberOfComponents();
+  vtkIdType at = 0;
+  for (const DicomSlice& slice : slices)
+  {
+    for (vtkIdType j = rows; j-- > 0; at += length)
+    {
+      const vtkIdType begin = (slice.Frame * rows + j) * length;
+      Rescale(files[slice.Path], begin, begin + length, slice.Values, values, at);
+    }
+  }
+  return values;
+}
+
+// Between columns and between rows.
+std::array<double, 2> SpacingOf(const DicomSlice& slice)
+{
+  return slice.Spacing.empty() ? std::array<double, 2>{ 1.0, 1.0 }
+                               : std::array<double, 2>{ slice.Spacing[1], slice.Spacing[0] };
 }
 
 vtkSmartPointer<vtkDataObject> EvenVolume(
-  vtkImageData* first, int count, const Stack& stack, vtkDataArray* samples)
+  const DicomSlice& first, int count, const Stack& stack, vtkDataArray* values)
 {
   const auto image = vtkSmartPointer<vtkImageData>::New();
-  int n[3];
-  double spacing[3];
-  first->GetDimensions(n);
-  first->GetSpacing(spacing);
-  image->SetDimensions(n[0], n[1], count);
+  image->SetDimensions(static_cast<int>(first.Columns), static_cast<int>(first.Rows), count);
   // A gantry that was tilted moves each slice aside.
   vtkVector3d step = stack.Shift;
   const double length = step.Norm();
   const bool isTilted = std::hypot(step[0], step[1]) > SameDistance * step[2];
+  const std::array<double, 2> spacing = SpacingOf(first);
   image->SetSpacing(spacing[0], spacing[1], (isTilted ? length : step[2]) / (count - 1));
   if (isTilted)
   {
@@ -226,48 +227,31 @@ vtkSmartPointer<vtkDataObject> EvenVolume(
     }
     image->SetDirectionMatrix(direction);
   }
-  image->GetPointData()->SetScalars(samples);
+  image->GetPointData()->SetScalars(values);
   return image;
 }
 
 vtkSmartPointer<vtkDataObject> UnevenVolume(
-  vtkImageData* first, const Stack& stack, vtkDataArray* samples)
+  const DicomSlice& first, const Stack& stack, vtkDataArray* values)
 {
   const auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
-  int n[3];
-  double spacing[3];
-  first->GetDimensions(n);
-  first->GetSpacing(spacing);
-  grid->SetDimensions(n[0], n[1], static_cast<int>(stack.Places.size()));
+  const std::array<double, 2> spacing = SpacingOf(first);
+  grid->SetDimensions(static_cast<int>(first.Columns), static_cast<int>(first.Rows),
+    static_cast<int>(stack.Places.size()));
   for (int axis = 0; axis < 3; ++axis)
   {
     vtkNew<vtkDoubleArray> coordinates;
     for (int i = 0; i < grid->GetDimensions()[axis]; ++i)
     {
-      coordinates->InsertNextValue(
-        axis < 2 ? spacing[axis] * i : stack.Places[static_cast<std::size_t>(i)]);
+      coordinates->InsertNextValue(axis < 2 ? spacing[static_cast<std::size_t>(axis)] * i
+                                            : stack.Places[static_cast<std::size_t>(i)]);
     }
     axis == 0     ? grid->SetXCoordinates(coordinates)
       : axis == 1 ? grid->SetYCoordinates(coordinates)
                   : grid->SetZCoordinates(coordinates);
   }
-  grid->GetPointData()->SetScalars(samples);
+  grid->GetPointData()->SetScalars(values);
   return grid;
-}
-
-// Of slices whose headers tell no places: the order is that of their numbers.
-vtkSmartPointer<vtkImageData> ReadWithoutPlaces(
-  const std::string& path, const ReadingProgress& progress)
-{
-  vtkNew<vtkDICOMImageReader> reader;
-  reader->SetDirectoryName(path.c_str());
-  Watch(reader, progress).Update(path);
-  // A directory without a series leaves no file to name.
-  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() < 2)
-  {
-    throw NoSeries(path);
-  }
-  return reader->GetOutput();
 }
 
 }
@@ -282,18 +266,30 @@ void ReadDicom(const std::string& path, const ReadingProgress& progress, Volume&
   {
     throw NoSeries(path);
   }
-  if (!slices.front().Position || slices.front().Orientation.empty() || slices.size() < 2)
+  if (slices.size() < 2)
   {
-    const vtkSmartPointer<vtkImageData> image = ReadWithoutPlaces(path, progress);
-    SpacePixels(slices.front(), image);
-    volume.Data = image;
-    return;
+    throw UserError("The directory " + Quoted(path) +
+      " holds a DICOM series of one slice; name a directory with at least 2.");
   }
+  const auto remark = [&](const std::string& what)
+  {
+    volume.Remark += (volume.Remark.empty() ? "" : " ") +
+      std::string("The slices of the DICOM series in ") + Quoted(path) + " " + what + ".";
+  };
   if (slices.size() < series.size())
   {
     volume.Remark = std::to_string(series.size() - slices.size()) + " of " +
       std::to_string(series.size()) + " slices of the DICOM series in " + Quoted(path) +
       " are left out: they have another orientation or size.";
+  }
+  if (slices.front().Position.empty() || slices.front().Orientation.empty())
+  {
+    PlaceByNumber(slices);
+    remark("do not say where they lie: they are stacked in the order of their numbers");
+  }
+  if (slices.front().Spacing.empty())
+  {
+    remark("do not say how far their pixels are apart: 1 is taken for it");
   }
   std::stable_sort(slices.begin(), slices.end(),
     [](const DicomSlice& a, const DicomSlice& b) { return PlaceOf(a) > PlaceOf(b); });
@@ -305,16 +301,12 @@ void ReadDicom(const std::string& path, const ReadingProgress& progress, Volume&
       " lie aslant and at unequal distances, as if some were missing; complete the series, or "
       "resample it.");
   }
-  vtkNew<vtkImageData> first;
-  const vtkSmartPointer<vtkDataArray> samples = SamplesOf(slices, progress, first);
-  SpacePixels(slices.front(), first);
+  const vtkSmartPointer<vtkDataArray> values = ValuesOf(slices, progress);
   if (stack.IsEven)
   {
-    volume.Data = EvenVolume(first, static_cast<int>(slices.size()), stack, samples);
+    volume.Data = EvenVolume(slices.front(), static_cast<int>(slices.size()), stack, values);
     return;
   }
-  volume.Data = UnevenVolume(first, stack, samples);
-  volume.Remark = "The slices of the DICOM series in " + Quoted(path) +
-    " lie at unequal distances, as if some were missing: each is drawn where it lies." +
-    (volume.Remark.empty() ? "" : " " + volume.Remark);
+  volume.Data = UnevenVolume(slices.front(), stack, values);
+  remark("lie at unequal distances, as if some were missing: each is drawn where it lies");
 }

@@ -24,7 +24,7 @@ struct Inflation
 };
 constexpr Inflation Inflations[] = { { ".gz", 1032.0 }, { ".mha", 1032.0 }, { ".mhd", 1032.0 },
   { ".cgns", 1032.0 }, { ".ex2", 1032.0 }, { ".exo", 1032.0 }, { ".e", 1032.0 }, { ".slc", 127.0 },
-  { ".vtk", 1.0 }, { ".nii", 1.0 }, { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1.0 } };
+  { ".vtk", 1.0 }, { ".nii", 1.0 }, { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1032.0 } };
 constexpr double InflationOfXml = 8192.0;
 
 constexpr double Wider = 8.0;                   // bytes of a number that a digit of text becomes
@@ -153,27 +153,5 @@ void RequireBytesFor(const std::string& path, double bytes)
   if (bytes > Few + Wider * BytesWithParts(path) * InflationOf(path))
   {
     throw Damaged(path, "its header tells of more samples than it can hold");
-  }
-}
-
-void RequireParts(const std::string& path)
-{
-  const std::string text = BytesOf(path, MostOfList);
-  std::error_code error;
-  for (const char* attribute : { " file=\"", " Source=\"" })
-  {
-    for (std::size_t at = text.find(attribute); at != std::string::npos;
-         at = text.find(attribute, at))
-    {
-      at += std::string(attribute).size();
-      const std::string name = text.substr(at, text.find('"', at) - at);
-      const bool isPlain = !name.empty() && name.find('&') == std::string::npos;
-      const fs::path part = fs::path(path).parent_path() / name;
-      if (isPlain && !fs::is_regular_file(part, error))
-      {
-        throw UserError(Quoted(path) + " names the file " + Quoted(part.string()) +
-          ", which is not there; put it there, or correct the name.");
-      }
-    }
   }
 }

@@ -32,7 +32,4 @@ ReadingLimits LimitsOf(const std::string& path);
 // Throws if a file cannot hold so many bytes of samples, however they are compressed.
 void RequireBytesFor(const std::string& path, double bytes);
 
-// Throws if a list of files names one that is not there; its sentence names it.
-void RequireParts(const std::string& path);
-
 #endif

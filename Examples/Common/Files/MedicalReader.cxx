@@ -3,16 +3,19 @@
 #include "Files/MedicalReader.h"
 
 #include "Files/FileCheck.h"
+#include "Files/Rescale.h"
+#include "Files/WholeCheck.h"
 #include "Program/Quoted.h"
+#include "Program/Silence.h"
 
 #include <vtkDataArray.h>
-#include <vtkDataArrayRange.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageHeader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
@@ -26,47 +29,19 @@ namespace
 
 constexpr std::size_t MostHeader = 1 << 16; // bytes of a header of MetaImage
 
-// The smallest type that holds numbers as they are: whole ones if they can be.
-int TypeFor(vtkDataArray* samples, double slope, double offset)
-{
-  const int type = samples->GetDataType();
-  const bool isWhole = type != VTK_FLOAT && type != VTK_DOUBLE && std::floor(slope) == slope &&
-    std::floor(offset) == offset;
-  double least = slope * samples->GetDataTypeMin() + offset;
-  double most = slope * samples->GetDataTypeMax() + offset;
-  if (least > most)
-  {
-    std::swap(least, most);
-  }
-  const auto fits = [&](int other)
-  {
-    return isWhole && least >= vtkDataArray::GetDataTypeMin(other) &&
-      most <= vtkDataArray::GetDataTypeMax(other);
-  };
-  return fits(VTK_SHORT)                                                         ? VTK_SHORT
-    : fits(VTK_INT)                                                              ? VTK_INT
-    : type == VTK_DOUBLE || samples->GetDataTypeSize() > 3 + (type == VTK_FLOAT) ? VTK_DOUBLE
-                                                                                 : VTK_FLOAT;
-}
-
 // Samples become the values that they stand for.
-void Rescale(vtkImageData* image, double slope, double offset)
+void ApplyRescaling(vtkImageData* image, const Rescaling& rescaling)
 {
   vtkDataArray* samples = image->GetPointData()->GetScalars();
-  const bool isNone = slope == 0.0 || (slope == 1.0 && offset == 0.0);
-  if (!samples || isNone || !std::isfinite(slope) || !std::isfinite(offset))
+  const bool isNone = rescaling.Slope == 0.0 || (rescaling.Slope == 1.0 && rescaling.Offset == 0.0);
+  if (!samples || isNone || !std::isfinite(rescaling.Slope) || !std::isfinite(rescaling.Offset))
   {
     return;
   }
-  const auto values = vtkSmartPointer<vtkDataArray>::Take(
-    vtkDataArray::CreateDataArray(TypeFor(samples, slope, offset)));
-  values->SetName(samples->GetName());
-  values->SetNumberOfComponents(samples->GetNumberOfComponents());
-  values->SetNumberOfTuples(samples->GetNumberOfTuples());
-  const auto from = vtk::DataArrayValueRange(samples);
-  auto to = vtk::DataArrayValueRange(values);
-  std::transform(
-    from.begin(), from.end(), to.begin(), [=](double sample) { return slope * sample + offset; });
+  ValueType type;
+  type.Add(samples, rescaling);
+  const auto values = MakeArrayLike(samples, type.Get(), samples->GetNumberOfTuples());
+  Rescale(samples, 0, samples->GetNumberOfValues(), rescaling, values, 0);
   image->GetPointData()->SetScalars(values);
 }
 
@@ -123,6 +98,49 @@ void SetDirection(const std::string& path, const std::string& text, vtkImageData
   image->SetDirectionMatrix(direction);
 }
 
+// MetaIO tells of short files on the terminal.
+vtkSmartPointer<vtkImageData> ReadSamples(
+  vtkMetaImageReader* reader, const std::string& path, const ReadingProgress& progress)
+{
+  const Silence silence;
+  const vtkSmartPointer<vtkImageData> image = ReadImage(reader, path, progress);
+  const std::string said = silence.SaidByLibraries();
+  if (silence.HeardErrors() || said.find("not read completely") != std::string::npos ||
+    said.find("Uncompress failed") != std::string::npos)
+  {
+    throw Damaged(path, "its samples, or a file of them, end too early");
+  }
+  return image;
+}
+
+// Reads one of the volumes that a file of four dimensions holds, where VTK's reader reads the
+// first.
+class NiftiReader : public vtkNIFTIImageReader
+{
+public:
+  static NiftiReader* New() { VTK_STANDARD_NEW_BODY(NiftiReader); }
+  int TimeStep = 1;
+
+protected:
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    const int isKnown = vtkNIFTIImageReader::RequestInformation(request, inputs, outputs);
+    if (isKnown && this->TimeStep <= this->GetTimeDimension())
+    {
+      unsigned long bytes = static_cast<unsigned long>(
+        vtkDataArray::GetDataTypeSize(this->DataScalarType) * this->NumberOfScalarComponents);
+      for (const int axis : { 1, 2, 3 })
+      {
+        bytes *= static_cast<unsigned long>(this->Dim[axis]);
+      }
+      const auto vectors = static_cast<unsigned long>(std::max(1, this->Dim[5]));
+      this->HeaderSize += static_cast<unsigned long>(this->TimeStep - 1) * (bytes / vectors);
+    }
+    return isKnown;
+  }
+};
+
 }
 
 void ReadMetaImage(const std::string& path, const ReadingProgress& progress, Volume& volume)
@@ -130,8 +148,14 @@ void ReadMetaImage(const std::string& path, const ReadingProgress& progress, Vol
   std::map<std::string, std::string> fields = FieldsOf(path);
   RequireKnownType(path, fields["ElementType"]);
   vtkNew<vtkMetaImageReader> reader;
-  const vtkSmartPointer<vtkImageData> image = ReadImage(reader.Get(), path, progress);
-  Rescale(image, reader->GetRescaleSlope(), reader->GetRescaleOffset());
+  if (reader->CanReadFile(path.c_str()))
+  {
+    reader->SetFileName(path.c_str());
+    reader->UpdateInformation();
+    volume.Remark = RequireWholeMetaImage(reader, fields);
+  }
+  const vtkSmartPointer<vtkImageData> image = ReadSamples(reader, path, progress);
+  ApplyRescaling(image, { reader->GetRescaleSlope(), reader->GetRescaleOffset() });
   for (const char* key : { "Orientation", "Rotation", "TransformMatrix" })
   {
     if (fields.count(key) == 1 && reader->GetFileDimensionality() == 3)
@@ -142,23 +166,37 @@ void ReadMetaImage(const std::string& path, const ReadingProgress& progress, Vol
   volume.Data = image;
 }
 
-// A header may place the samples among the patient's axes: the scanner's (q) or a template's (s).
-void ReadNifti(const std::string& path, const ReadingProgress& progress, Volume& volume)
+// A header may place the samples among the patient's axes: the scanner's (q) or, first, those of
+// another image (s).
+void ReadNifti(
+  const std::string& path, int timeStep, const ReadingProgress& progress, Volume& volume)
 {
-  vtkNew<vtkNIFTIImageReader> reader;
+  vtkNew<NiftiReader> reader;
+  reader->TimeStep = timeStep;
   const vtkSmartPointer<vtkImageData> image = ReadImage(reader.Get(), path, progress);
+  volume.TimeSteps = std::max(1, reader->GetTimeDimension());
   constexpr int Rgb = 128, Rgba = 2304;
   const int type = reader->GetNIFTIHeader() ? reader->GetNIFTIHeader()->GetDataType() : 0;
   if (type != Rgb && type != Rgba)
   {
-    Rescale(image, reader->GetRescaleSlope(), reader->GetRescaleIntercept());
+    ApplyRescaling(image, { reader->GetRescaleSlope(), reader->GetRescaleIntercept() });
   }
-  vtkMatrix4x4* placement =
-    reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
-  if (placement && std::abs(placement->Determinant()) > 0.0)
+  for (vtkMatrix4x4* placement : { reader->GetSFormMatrix(), reader->GetQFormMatrix() })
   {
-    volume.Placement = placement;
+    if (!volume.Placement && placement && std::abs(placement->Determinant()) > 0.0)
+    {
+      volume.Placement = placement;
+    }
   }
   volume.From = "+y";
   volume.Data = image;
 }
+
+#ifndef EXAMPLES_HAVE_GDCM
+void ReadDicom(const std::string& path, const ReadingProgress&, Volume&)
+{
+  throw UserError(Quoted(path) +
+    " is a directory, as of DICOM files, which this program was built without: install GDCM "
+    "(Debian's libgdcm-dev) and build it again, or convert the files to NIfTI.");
+}
+#endif

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/MeshReader.h"
 
-#include "Files/FileCheck.h"
+#include "Files/Arrays.h"
 #include "Files/OneTimeStep.h"
+#include "Files/WholeCheck.h"
 #include "Program/Quoted.h"
+#include "Program/Silence.h"
 
+#include <vtkDataSet.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
+#include <vtkXMLGenericDataObjectReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPImageDataReader.h>
 #include <vtkXMLPRectilinearGridReader.h>
 #include <vtkXMLPStructuredGridReader.h>
 #include <vtkXMLPUnstructuredGridReader.h>
@@ -28,6 +33,7 @@
 #include <vtkMultiBlockPLOT3DReader.h>
 #endif
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -45,6 +51,7 @@ struct Format
 template <typename Reader>
 vtkSmartPointer<vtkAlgorithm> OpenXml(const std::string& path)
 {
+  RequireWholeXml(path);
   const auto reader = vtkSmartPointer<Reader>::New();
   if (!reader->CanReadFile(path.c_str()))
   {
@@ -54,12 +61,12 @@ vtkSmartPointer<vtkAlgorithm> OpenXml(const std::string& path)
   return reader;
 }
 
-// A file that names others, which hold the parts.
-template <typename Reader>
-vtkSmartPointer<vtkAlgorithm> OpenList(const std::string& path)
+vtkSmartPointer<vtkAlgorithm> OpenAdaptive(const std::string& path)
 {
-  RequireParts(path);
-  return OpenXml<Reader>(path);
+  const auto reader = OpenXml<vtkXMLUniformGridAMRReader>(path);
+  // Before VTK 9.6 it is the coarsest one by default.
+  vtkXMLUniformGridAMRReader::SafeDownCast(reader)->SetMaximumLevelsToReadByDefault(0);
+  return reader;
 }
 
 vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
@@ -68,6 +75,10 @@ vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
   reader->SetFileName(path.c_str());
   reader->ReadAllScalarsOn();
   reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
   reader->ReadAllFieldsOn();
   return reader;
 }
@@ -75,6 +86,7 @@ vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
 #ifdef EXAMPLES_HAVE_IOExodus
 vtkSmartPointer<vtkAlgorithm> OpenExodus(const std::string& path)
 {
+  RequireWholeNetcdf(path);
   const auto reader = vtkSmartPointer<vtkExodusIIReader>::New();
   if (!reader->CanReadFile(path.c_str()))
   {
@@ -138,13 +150,14 @@ const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats = {
     { { ".vtu" }, OpenXml<OneTimeStep<vtkXMLUnstructuredGridReader>> },
-    { { ".pvtu" }, OpenList<vtkXMLPUnstructuredGridReader> },
+    { { ".pvti" }, OpenXml<vtkXMLPImageDataReader> },
+    { { ".pvtu" }, OpenXml<vtkXMLPUnstructuredGridReader> },
     { { ".vts" }, OpenXml<OneTimeStep<vtkXMLStructuredGridReader>> },
-    { { ".pvts" }, OpenList<vtkXMLPStructuredGridReader> },
+    { { ".pvts" }, OpenXml<vtkXMLPStructuredGridReader> },
     { { ".vtr" }, OpenXml<OneTimeStep<vtkXMLRectilinearGridReader>> },
-    { { ".pvtr" }, OpenList<vtkXMLPRectilinearGridReader> },
-    { { ".vtm", ".vtmb" }, OpenList<vtkXMLMultiBlockDataReader> },
-    { { ".vth", ".vthb" }, OpenList<vtkXMLUniformGridAMRReader> },
+    { { ".pvtr" }, OpenXml<vtkXMLPRectilinearGridReader> },
+    { { ".vtm", ".vtmb" }, OpenXml<vtkXMLMultiBlockDataReader> },
+    { { ".vth", ".vthb" }, OpenAdaptive },
 #ifdef EXAMPLES_HAVE_IOExodus
     { { ".ex2", ".exo", ".e" }, OpenExodus },
 #endif
@@ -172,6 +185,40 @@ const Format* FormatOf(const std::string& path)
     }
   }
   return nullptr;
+}
+
+// The first file that a list of files names which cannot be read, or is read without cells. Empty
+// if there is none.
+std::string BadPartOf(const std::string& path, bool mayBeEmpty)
+{
+  for (const std::string& part : PartsOf(path))
+  {
+    const Silence silence;
+    vtkNew<vtkXMLGenericDataObjectReader> reader;
+    reader->SetFileName(part.c_str());
+    reader->Update();
+    auto* const set = vtkDataSet::SafeDownCast(reader->GetOutput());
+    if (silence.HeardErrors() || !reader->GetOutput() ||
+      (!mayBeEmpty && set && set->GetNumberOfCells() == 0))
+    {
+      return part;
+    }
+  }
+  return "";
+}
+
+// Of files of blocks one hears of those without cells: others are seen.
+std::string RemarkOnEmptyParts(const std::string& path, vtkDataObject* data)
+{
+  const std::vector<vtkDataSet*> sets = DataSetsOf(data);
+  const bool isOfBlocks = EndsWith(LowerCase(path), ".vtm") || EndsWith(LowerCase(path), ".vtmb");
+  const bool hasEmpty = isOfBlocks &&
+    std::any_of(
+      sets.begin(), sets.end(), [](vtkDataSet* set) { return set->GetNumberOfCells() == 0; });
+  const std::string part = hasEmpty ? BadPartOf(path, false) : "";
+  return part.empty() ? ""
+                      : Quoted(path) + " names the file " + Quoted(part) +
+      ", which has no cells: nothing of it is drawn.";
 }
 
 }
@@ -210,4 +257,14 @@ void ReadMesh(const VolumeSource& source, const ReadingProgress& progress, Volum
   {
     throw Unreadable(source.Path);
   }
+  volume.Remark = RemarkOnEmptyParts(source.Path, volume.Data);
+}
+
+UserError UnreadableOrPart(const std::string& path)
+{
+  const std::string part = IsXmlName(path) ? BadPartOf(path, true) : "";
+  return part.empty()
+    ? Unreadable(path)
+    : UserError(Quoted(path) + " names the file " + Quoted(part) +
+        ", which could not be read; check that it is whole and of one of VTK's XML formats.");
 }

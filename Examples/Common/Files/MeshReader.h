@@ -16,7 +16,11 @@ bool IsMeshName(const std::string& path);
 std::string ListOfMeshSuffixes();
 
 // Read a grid, or a composite of grids, by VTK's readers: data and time steps of the volume are
-// set. Throws UserError.
+// set, and a remark. Throws UserError.
 void ReadMesh(const VolumeSource& source, const ReadingProgress& progress, Volume& volume);
+
+// What is told of a file whose reader had errors: the part that it could not read, of a list of
+// files.
+UserError UnreadableOrPart(const std::string& path);
 
 #endif

@@ -339,7 +339,7 @@ void Judge(const Outcome& outcome, const std::string& path)
   }
   if (!outcome.WentWell)
   {
-    throw Damaged(path, "VTK's reader fails on it");
+    throw Damaged(path, "its reader fails on it");
   }
 }
 

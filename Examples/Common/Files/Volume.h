@@ -24,6 +24,7 @@ struct Volume
   std::string From = "-y";                 // the viewer's place that suits this kind of file
   ArrayChoice Array;                       // what is drawn
   int TimeSteps = 1;                       // that the file has
+  bool IsRaw = false;                      // of bare samples, whose type the user told
   std::string Remark;                      // a sentence on what is drawn otherwise; seldom one
 };
 

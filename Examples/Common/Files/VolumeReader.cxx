@@ -10,6 +10,7 @@
 #include "Files/PlaceCheck.h"
 #include "Files/Reading.h"
 #include "Files/Trial.h"
+#include "Files/WholeCheck.h"
 #include "Program/Quoted.h"
 #include "Program/Silence.h"
 #include "Program/UserError.h"
@@ -63,6 +64,13 @@ vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path, const ReadingP
 {
   vtkNew<vtkStructuredPointsReader> reader;
   reader->SetFileName(path.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
   Watch(reader, progress).Update(path);
   return reader->GetOutput();
 }
@@ -117,6 +125,7 @@ Volume ReadFile(const VolumeSource& source, const ReadingProgress& progress)
   }
   else if (EndsWith(name, ".vti"))
   {
+    RequireWholeXml(path);
     volume.Data = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path, progress);
   }
   else if (EndsWith(name, ".vtk"))
@@ -136,7 +145,7 @@ Volume ReadFile(const VolumeSource& source, const ReadingProgress& progress)
   }
   else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
-    ReadNifti(path, progress, volume);
+    ReadNifti(path, source.TimeStep, progress, volume);
   }
   else if (EndsWith(name, ".slc"))
   {
@@ -275,6 +284,7 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   else if (source.Raw)
   {
     volume.Data = ReadRaw(path, *source.Raw, source.BigEndian, progress);
+    volume.IsRaw = true;
   }
   else
   {
@@ -283,7 +293,7 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   // vtkDataReader tells of a file that ends too early by a warning; others warn of what they skip.
   if (silence.HeardErrors() || (silence.HeardWarnings() && EndsWith(LowerCase(path), ".vtk")))
   {
-    throw Unreadable(path);
+    throw UnreadableOrPart(path);
   }
   if (!source.Raw && volume.Data)
   {

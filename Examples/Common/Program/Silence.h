@@ -9,6 +9,7 @@
 
 #include <sstream>
 #include <streambuf>
+#include <string>
 
 // While it lives, neither VTK nor the format libraries below it (MetaIO) write on the terminal.
 // They tell of a broken file in several lines; one sentence of ours takes their place.
@@ -23,6 +24,9 @@ public:
   // Whether VTK complained meanwhile.
   bool HeardErrors() const;
   bool HeardWarnings() const; // that name no object: vtkGenericWarningMacro
+
+  // What would be on the terminal of the libraries below VTK that write in C++.
+  std::string SaidByLibraries() const { return this->Nowhere.str(); }
 
 private:
   vtkSmartPointer<vtkOutputWindow> Window;

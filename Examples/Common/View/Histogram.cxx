@@ -29,7 +29,7 @@ struct Counter
   {
     const std::array<double, 2> range = this->Counted.Range;
     std::vector<double>& bins = this->Counted.Bins;
-    const double scale = static_cast<double>(bins.size() - 1) / (range[1] - range[0]);
+    const double width = range[1] - range[0], last = static_cast<double>(bins.size() - 1);
     std::size_t i = 0;
     for (const auto tuple : vtk::DataArrayTupleRange(array))
     {
@@ -52,7 +52,8 @@ struct Counter
       }
       if (value >= range[0] && value <= range[1])
       {
-        bins[static_cast<std::size_t>(scale * (value - range[0]) + 0.5)] += 1.0;
+        // Divided first: the inverse of a tiny width is infinite.
+        bins[static_cast<std::size_t>((value - range[0]) / width * last + 0.5)] += 1.0;
       }
     }
   }
@@ -75,7 +76,8 @@ Histogram CountSamples(const Volume& volume, int component)
   const std::vector<DrawnArray> arrays = drawn.Arrays(volume.Array);
   histogram.Range = drawn.Range(volume.Array, component);
   const std::string others = OthersThan(volume);
-  const std::string advice = others.empty() ? "another volume, or another type for --raw" : others;
+  const std::string forRaw = volume.IsRaw ? ", or choose another type for --raw" : "";
+  const std::string advice = others.empty() ? "another volume" + forRaw : others;
   if (histogram.Range[0] > histogram.Range[1])
   {
     throw UserError(
@@ -85,8 +87,8 @@ Histogram CountSamples(const Volume& volume, int component)
   {
     std::ostringstream what;
     what << "The values of " << name << ", " << histogram.Range[0] << " to " << histogram.Range[1]
-         << ", lie too far apart to choose an isovalue between them; scale them down, or choose "
-            "another type for --raw.";
+         << ", lie too far apart to choose an isovalue between them; scale them down" << forRaw
+         << ".";
     throw UserError(what.str());
   }
   if (!(histogram.Range[0] < histogram.Range[1]))

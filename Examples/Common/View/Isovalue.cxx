@@ -59,7 +59,9 @@ double ValueBetweenClasses(const Histogram& histogram)
     static_cast<double>(histogram.Bins.size() - 1);
   const double step = std::pow(10.0, std::floor(std::log10(range[1] - range[0])) - 2.0);
   const double value = range[0] + share * (range[1] - range[0]);
-  return std::clamp(step * std::round(value / step), range[0], range[1]);
+  const double rounded = step * std::round(value / step);
+  // Of a tiny range the step is 0, and a value far from 0 has no such digits.
+  return rounded > range[0] && rounded < range[1] ? rounded : value;
 }
 
 }

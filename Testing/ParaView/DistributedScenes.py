@@ -160,15 +160,22 @@ def adaptive_grids():
         check_same("a file .vthb is as the data in memory", pictures, alone)
 
 
-# Exodus files number points and cells from 1; the same point has one number in all processes.
+# Exodus files number points and cells from 1, without gaps; the same point has one number in all
+# processes.
 NUMBERS = """
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 output = self.GetOutputDataObject(0)
 output.ShallowCopy(self.GetInputDataObject(0, 0))
 places = numpy.rint(vtk_to_numpy(output.GetPoints().GetData())).astype(numpy.int64) + 20
-first = 1000000 * vtkMultiProcessController.GetGlobalController().GetLocalProcessId() + 1
+controller = vtkMultiProcessController.GetGlobalController()
+own, counts = vtkIdTypeArray(), vtkIdTypeArray()
+own.InsertNextValue(output.GetNumberOfCells())
+counts.SetNumberOfValues(controller.GetNumberOfProcesses())
+controller.AllGather(own, counts)
+first = sum(counts.GetValue(i) for i in range(controller.GetLocalProcessId())) + 1
 for data, numbers in ((output.GetPointData(), places @ numpy.array([1, 41, 41 * 41]) + 1),
                       (output.GetCellData(), numpy.arange(output.GetNumberOfCells()) + first)):
     ids = numpy_to_vtkIdTypeArray(numbers, deep=True)

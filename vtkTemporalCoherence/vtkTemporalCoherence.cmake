@@ -16,7 +16,7 @@ set(engine_files
   Acceleration/FieldStructures
   Acceleration/FiniteRange
   Acceleration/KernelsPyramid
-  Acceleration/RangeOfMost
+  Acceleration/RareValues
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid

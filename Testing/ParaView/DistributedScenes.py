@@ -175,7 +175,7 @@ own, counts = vtkIdTypeArray(), vtkIdTypeArray()
 own.InsertNextValue(output.GetNumberOfCells())
 counts.SetNumberOfValues(controller.GetNumberOfProcesses())
 controller.AllGather(own, counts)
-first = sum(counts.GetValue(i) for i in range(controller.GetLocalProcessId())) + 1
+first = int(vtk_to_numpy(counts)[:controller.GetLocalProcessId()].sum()) + 1
 for data, numbers in ((output.GetPointData(), places @ numpy.array([1, 41, 41 * 41]) + 1),
                       (output.GetCellData(), numpy.arange(output.GetNumberOfCells()) + first)):
     ids = numpy_to_vtkIdTypeArray(numbers, deep=True)

@@ -37,7 +37,7 @@ struct FieldQuery
   vtkVolume* Volume = nullptr;
   const std::vector<double>* Isovalues = nullptr; ///< to draw; null if the volume is blended
   MaskSettings Mask;
-  bool NeedsScalarRanges = false;  ///< PlacedField::ScalarRanges and MostScalars
+  bool NeedsScalarRanges = false;  ///< PlacedField::ScalarRanges
   bool AveragedGradients = false;  ///< the setting SmoothMeshNormals
   std::size_t MeshMemoryLimit = 0; ///< bytes for the set-up of a mesh; 0: no limit
   ReportProgress Report;           ///< progress of long work, which it may stop
@@ -69,7 +69,6 @@ struct PlacedField
   Field Samples;
   std::vector<Field> Others;            ///< the other drawn components
   std::vector<glm::dvec2> ScalarRanges; ///< of the finite samples, by drawn component
-  std::vector<glm::dvec2> MostScalars;  ///< the ranges of most samples, without outliers
   IndexTransform Transform;
   ImageAxes Axes;            ///< index space in the coordinates of cropping planes
   glm::dvec3 PerStep{ 1.0 }; ///< of GradientOpacity

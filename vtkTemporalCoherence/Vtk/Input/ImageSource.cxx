@@ -3,7 +3,6 @@
 #include "Input/ImageSource.h"
 
 #include "Acceleration/FiniteRange.h"
-#include "Acceleration/RangeOfMost.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataObjectTree.h>
@@ -158,17 +157,9 @@ void ImageSource::FindRanges(PlacedField& field)
           range.Of.Dimensions == samples.Dimensions && range.Of.Strides == samples.Strides &&
           range.Of.Stamp == samples.Stamp;
       });
-    if (known != this->Ranges.end())
-    {
-      ranges.push_back(*known);
-    }
-    else
-    {
-      const glm::dvec2 finite = FindFiniteRange(samples);
-      ranges.push_back({ samples, finite, FindRangeOfMost(samples, finite) });
-    }
-    field.ScalarRanges.push_back(ranges.back().Finite);
-    field.MostScalars.push_back(ranges.back().Most);
+    ranges.push_back(
+      known != this->Ranges.end() ? *known : KnownRange{ samples, FindFiniteRange(samples) });
+    field.ScalarRanges.push_back(ranges.back().Range);
   };
   add(field.Samples);
   std::for_each(field.Others.begin(), field.Others.end(), add);

@@ -56,11 +56,11 @@ private:
   ImageOfGrid Grid;
   HiddenCellsOfImage Hidden;
 
-  /// The ranges of a component's samples.
+  /// The range of a component's finite samples.
   struct KnownRange
   {
     Field Of;
-    glm::dvec2 Finite, Most;
+    glm::dvec2 Range;
   };
   std::vector<KnownRange> Ranges; ///< of the components that were drawn last
 };

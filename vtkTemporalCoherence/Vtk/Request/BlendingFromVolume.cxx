@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/BlendingFromVolume.h"
 
+#include "Acceleration/RareValues.h"
 #include "Input/MatrixFromVtk.h"
 #include "Input/SettingCheck.h"
 #include "Request/GradientOpacityFromVolume.h"
@@ -286,24 +287,30 @@ bool BlendingFromVolume::MakeLook(
   return true;
 }
 
-void BlendingFromVolume::MakeTransfers(
-  ScalarType type, const std::vector<glm::dvec2>& most, Blending& made)
+void BlendingFromVolume::MakeTransfers(const Field& first, Blending& made)
 {
   for (std::size_t i = 0; i < made.Looks.size(); ++i)
   {
     const glm::dvec2 range = LookedUp(made.ScalarRanges, made.Use, i);
-    const glm::dvec2 ofMost = LookedUp(most, made.Use, i);
-    // Neighbours differ by the range at most. Outliers are left out of it.
-    const glm::dvec2 near = NearMost(range, ofMost);
+    // Differences of neighbours are at most as large as the range.
     GradientOpacity& byGradient = made.Looks[i].ByGradient;
-    LeaveOutBeyond((near.y - near.x) * glm::length(byGradient.PerStep), byGradient);
+    LeaveOutBeyond((range.y - range.x) * glm::length(byGradient.PerStep), byGradient);
+    SampledTransfer& transfer = this->Transfers[this->FirstTransfer + i];
     const bool areColors = made.Use == ComponentUse::RgbOpacity; // functions end with the range
-    made.Looks[i].Transfer = this->Transfers[this->FirstTransfer + i].Sample(
-      { areColors ? range : Rounded(range), areColors ? ofMost : Rounded(ofMost), areColors });
+    AskedValues asked{ areColors ? range : Rounded(range), {}, areColors };
+    asked.Dense = asked.Range;
+    const glm::dvec2 close = transfer.RangeOfCloseNodes(asked.Range);
+    const Field& field = i == 0 ? first : made.Others[i - 1];
+    if (made.Use == ComponentUse::Independent && close != asked.Range && field.HasCells() &&
+      AreRareBeyond(field, close, range))
+    {
+      asked.Dense = close;
+    }
+    made.Looks[i].Transfer = transfer.Sample(asked);
   }
   if (made.Use == ComponentUse::RgbOpacity)
   {
-    ShowDirectColors(type, made);
+    ShowDirectColors(first.Type, made);
   }
 }
 

@@ -43,9 +43,8 @@ public:
     double sampleDistance, Blending& made, std::string& error);
 
   /// Make the transfer functions for the last call of Make, over the range of each component.
-  /// \param type of the samples
-  /// \param most the ranges of most samples, by component
-  void MakeTransfers(ScalarType type, const std::vector<glm::dvec2>& most, Blending& made);
+  /// \param first component
+  void MakeTransfers(const Field& first, Blending& made);
 
   /// Make the lights, if a component is shaded.
   /// \param appearance is empty before

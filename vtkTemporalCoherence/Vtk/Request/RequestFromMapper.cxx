@@ -100,10 +100,9 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   this->IsMakingField = false;
   if (isMade && isBlended)
   {
-    // Without samples, there are no ranges.
+    // Empty without samples.
     key.Blended().ScalarRanges.resize(static_cast<std::size_t>(drawn.Count));
-    request.MostScalars.resize(static_cast<std::size_t>(drawn.Count));
-    this->Blendings.MakeTransfers(key.Samples.Type, request.MostScalars, key.Blended());
+    this->Blendings.MakeTransfers(key.Samples, key.Blended());
   }
   return isMade;
 }
@@ -199,7 +198,6 @@ bool RequestFromMapper::MakeScene(
     }
     volume.Others = field.Others;
     volume.ScalarRanges = field.ScalarRanges;
-    request.MostScalars = field.MostScalars;
   }
   else
   {

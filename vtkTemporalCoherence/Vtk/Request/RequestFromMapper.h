@@ -57,8 +57,6 @@ struct FrameRequest
 
   bool ComparesDepths = true; ///< with the window's depths, when it is shown there
 
-  std::vector<glm::dvec2> MostScalars; ///< of a blended volume: PlacedField::MostScalars
-
   FieldSetUp SetUp;
   std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: the original cells of its cells
 

@@ -62,9 +62,9 @@ private:
       return;
     }
     constexpr auto intervals = static_cast<double>(MostIntervals);
-    const glm::dvec2 near = NearMost(whole, asked.Most);
-    this->FarLow = near.x > whole.x ? std::optional<double>(whole.x) : std::nullopt;
-    this->FarHigh = near.y < whole.y ? std::optional<double>(whole.y) : std::nullopt;
+    const glm::dvec2 near(std::max(whole.x, asked.Dense.x), std::min(whole.y, asked.Dense.y));
+    this->FarLow = near.x > whole.x ? std::optional<double>(asked.Range.x) : std::nullopt;
+    this->FarHigh = near.y < whole.y ? std::optional<double>(asked.Range.y) : std::nullopt;
     if (near != whole && this->SpreadOverNodes(nodes, near))
     {
       return;
@@ -273,19 +273,6 @@ void Thin(TransferFunction& transfer)
 
 }
 
-glm::dvec2 NearMost(const glm::dvec2& whole, const glm::dvec2& most)
-{
-  constexpr double widest = 64.0;
-  const double width = most.y - most.x;
-  if (!(width > 0.0) || !(whole.y - whole.x > widest * width))
-  {
-    return whole;
-  }
-  const double around = 0.5 * (widest - 1.0) * width;
-  const glm::dvec2 near(std::max(whole.x, most.x - around), std::min(whole.y, most.y + around));
-  return near.x < near.y ? near : whole;
-}
-
 bool SampledTransfer::Find(vtkVolumeProperty* property, int component, std::string& error)
 {
   const TransferFunctions functions(property, component);
@@ -309,6 +296,46 @@ bool SampledTransfer::Find(vtkVolumeProperty* property, int component, std::stri
   this->ColorTime = colorTime;
   this->OpacityTime = opacityTime;
   return true;
+}
+
+glm::dvec2 SampledTransfer::RangeOfCloseNodes(const glm::dvec2& range) const
+{
+  // A gap of so many times their width leaves too few samples to close nodes.
+  constexpr double far = 256.0, around = 4.0;
+  constexpr std::size_t most = 64; // larger tables are regular
+  std::vector<double> places;
+  for (const double node : this->Nodes)
+  {
+    const double place = std::clamp(node, range.x, range.y);
+    if (places.empty() || place > places.back())
+    {
+      places.push_back(place);
+    }
+  }
+  if (places.size() < 3 || places.size() > most)
+  {
+    return range;
+  }
+  double widest = 0.0;
+  glm::dvec2 close = range;
+  for (std::size_t first = 0; first < places.size(); ++first)
+  {
+    for (std::size_t last = first + 1; last < places.size(); ++last)
+    {
+      const double width = places[last] - places[first];
+      const bool endsLow = first == 0;
+      const bool endsHigh = last + 1 == places.size();
+      if (width > widest && !(endsLow && endsHigh) &&
+        (endsLow || places[first] - places[first - 1] > far * width) &&
+        (endsHigh || places[last + 1] - places[last] > far * width))
+      {
+        widest = width;
+        close = { endsLow ? range.x : places[first] - around * width,
+          endsHigh ? range.y : places[last] + around * width };
+      }
+    }
+  }
+  return close;
 }
 
 const TransferFunction& SampledTransfer::Sample(const AskedValues& asked)

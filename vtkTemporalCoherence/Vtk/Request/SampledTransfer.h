@@ -22,21 +22,17 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The part of a range of values within some dozen times the range of most of the data; the whole
-/// range without outliers.
-glm::dvec2 NearMost(const glm::dvec2& whole, const glm::dvec2& most);
-
 /// The values at which functions are evaluated.
 struct AskedValues
 {
   glm::dvec2 Range; ///< of the data
-  glm::dvec2 Most;  ///< of most of the data, without outliers
+  glm::dvec2 Dense; ///< a part of it; values beyond may look like the farthest ones
   bool AreClamped;  ///< other values may occur; they are as opaque as the nearest end of the range
 };
 
 inline bool operator==(const AskedValues& a, const AskedValues& b)
 {
-  return a.Range == b.Range && a.Most == b.Most && a.AreClamped == b.AreClamped;
+  return a.Range == b.Range && a.Dense == b.Dense && a.AreClamped == b.AreClamped;
 }
 
 /// The colour and the opacity of one component of a property, sampled. It is sampled again when the
@@ -44,9 +40,7 @@ inline bool operator==(const AskedValues& a, const AskedValues& b)
 ///
 /// VTK's functions are evaluated at each sample, so that midpoints, sharpness, scales, colour
 /// spaces and clamping have VTK's meaning. Each node has a sample if all nodes fit one grid, such
-/// as integers or decimals. Otherwise samples are spread evenly; but if outliers of the data would
-/// leave too few samples to most of the data, values far away from most of the data look like the
-/// farthest ones.
+/// as integers or decimals. Otherwise samples are spread evenly.
 class SampledTransfer
 {
 public:
@@ -54,6 +48,10 @@ public:
   /// \param error receives the mistake and its remedy
   /// \return false on error, for example if a node is NaN
   bool Find(vtkVolumeProperty* property, int component, std::string& error);
+
+  /// The surroundings of nodes that lie close together, if the other nodes in a range are so far
+  /// away that samples between all of them would not tell the close ones apart; else the range.
+  glm::dvec2 RangeOfCloseNodes(const glm::dvec2& range) const;
 
   /// Sample the found functions unless known samples fit.
   const TransferFunction& Sample(const AskedValues& asked);

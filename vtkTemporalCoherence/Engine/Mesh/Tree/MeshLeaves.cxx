@@ -29,18 +29,19 @@ struct NodeFacts
   MeshProblem Problem;
 };
 
-/// How far rounding may have moved points. Points that single precision holds may come from there.
-double RoundingOf(const std::array<glm::dvec3, 8>& points, int count)
+/// How far rounding may have moved points in a direction. Points that single precision holds may
+/// come from there.
+double RoundingOf(const std::array<glm::dvec3, 8>& points, int count, const glm::dvec3& direction)
 {
-  double largest = 0.0;
+  glm::dvec3 largest(0.0);
   bool areSingle = true;
   for (int i = 0; i < count; ++i)
   {
     const glm::dvec3& point = points[static_cast<std::size_t>(i)];
     areSingle = areSingle && glm::dvec3(glm::vec3(point)) == point;
-    largest = std::max(largest, glm::length(point));
+    largest = glm::max(largest, glm::abs(point));
   }
-  return largest * (areSingle ? 0x1p-22 : 0x1p-50);
+  return glm::dot(largest, glm::abs(direction)) * (areSingle ? 0x1p-22 : 0x1p-50);
 }
 
 /// True if points are all at one place, on a line or in a plane, as far as rounding tells.
@@ -75,7 +76,7 @@ bool AreFlat(const std::array<glm::dvec3, 8>& points, int count)
   double height = 0.0;
   forEachEdge([&](const glm::dvec3& edge)
     { height = std::max(height, std::abs(glm::dot(normal / width, edge))); });
-  return height <= RoundingOf(points, count);
+  return height <= RoundingOf(points, count, normal / width);
 }
 
 void AddEdges(const std::array<glm::dvec3, 8>& points, int corners, bool isSample, EdgeSums& edges)

@@ -1,24 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Acceleration/RangeOfMost.h"
+#include "Acceleration/RareValues.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace TemporalCoherence
 {
 
-glm::dvec2 FindRangeOfMost(const Field& field, const glm::dvec2& whole)
+bool AreRareBeyond(const Field& field, const glm::dvec2& range, const glm::dvec2& whole)
 {
-  constexpr std::int64_t most = 1 << 12;
-  constexpr std::size_t fewest = 2;
+  constexpr std::int64_t most = 1 << 16, oneOf = 1 << 12;
   constexpr double golden = 0.6180339887498949; // multiples are spread evenly, across all axes
   const glm::i64vec3 size(field.Dimensions);
   const std::int64_t count = size.x * size.y * size.z;
-  std::vector<double> inside;
+  std::int64_t within = 0, beyond = 0;
   DispatchScalarType(field.Type,
     [&](auto type)
     {
@@ -33,19 +30,11 @@ glm::dvec2 FindRangeOfMost(const Field& field, const glm::dvec2& whole)
           static_cast<int>(at / size.x % size.y), static_cast<int>(at / (size.x * size.y))));
         if (value > whole.x && value < whole.y)
         {
-          inside.push_back(value);
+          ++(value >= range.x && value <= range.y ? within : beyond);
         }
       }
     });
-  // A value of a background counts once.
-  std::sort(inside.begin(), inside.end());
-  inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
-  if (inside.size() < fewest)
-  {
-    return whole;
-  }
-  const std::size_t left = inside.size() / 20;
-  return { inside[left], inside[inside.size() - 1 - left] };
+  return within > 0 && beyond * oneOf <= within;
 }
 
 }

@@ -321,6 +321,14 @@ class Dicom(Files):
             told = self.tell(self.write(dicom(change=self.counted(kind=kind, components=components))(same)))
             self.assert_refused(told, ".dcm")
 
+    def test_a_colour_slice_among_grey_ones(self) -> None:
+        color = self.counted(components=3, kind="RGB", planar=0, allocated=8, stored=8, high=7)
+        pixels = {(0x7fe0, 0x10): ("OW", bytes(3 * SIZE[0] * SIZE[1]))}
+        for odd in (0, SIZE[2] - 1):
+            told = self.read(dicom(change=lambda k: {**color(k), **pixels} if k == odd else self.counted()(k))(same))
+            self.assertIn("1 of 7 slices", told.remark)
+            self.assertEqual(told.range[1] - told.range[0], 100 * (SIZE[2] - 2) + 10 * (SIZE[1] - 1) + SIZE[0] - 1)
+
     def test_what_is_not_read_is_refused(self) -> None:
         for change, word in (
                 ({(0x28, 0x3000): ("SQ", [{(0x28, 0x3006): ("US", [1, 2])}])}, "table"),

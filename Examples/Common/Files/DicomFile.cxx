@@ -166,6 +166,7 @@ std::vector<DicomSlice> SlicesOf(const std::string& path)
   slice.Columns = size[0];
   slice.Rows = size[1];
   slice.Frames = size[2];
+  slice.Components = gdcm::ImageHelper::GetPixelFormatValue(reader.GetFile()).GetSamplesPerPixel();
   if (slice.Columns == 0 || slice.Rows == 0)
   {
     return {};

@@ -547,6 +547,12 @@ class WholeFiles(Files):
             with self.subTest(new=new):
                 self.assertIn(words, self.read_or_refuse("a.mha", plain.replace(old, new, 1)))
 
+    def test_meta_images_with_blanks_before_keys(self):
+        from originals import meta
+        plain = meta(True)(lambda value: value).files["a.mha"]
+        blank = plain.replace(b"ElementDataFile", b"  ElementDataFile")
+        self.assertEqual(self.read_or_refuse("a.mha", blank), self.read_or_refuse("a.mha", plain))
+
     def test_meta_images_of_slices(self):
         from originals import meta
         for k in range(1, 8):
@@ -603,6 +609,13 @@ class DrawnValues(Files):
         numbers[-1] = 8  # at a corner of the grid, where one point is its own
         numbers[17] = 800  # in its middle
         self.assert_range(0, 100, "a.vts", meshes.vts(
+            str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + "</CellData>\n"))
+
+    def test_means_without_cells_that_are_nan(self):
+        import meshes
+        numbers = [0] * len(meshes.cells())
+        numbers[16:18] = "nan", 800  # beside each other in the middle
+        self.assert_range(0, 800 / 7, "a.vts", meshes.vts(
             str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + "</CellData>\n"))
 
     def test_not_those_of_hidden_cells(self):

@@ -339,6 +339,16 @@ class Dicom(Files):
         for syntax in ("1.2.840.10008.1.2.4.50", "1.2.840.10008.1.2.4.90", "1.2.840.10008.1.2.4.100", "1.2.3.4"):
             self.assert_refused(self.tell(self.write(dicom(syntax, lambda k: fragments)(same))), "slices")
 
+    def test_images_without_rows_and_what_is_no_file(self) -> None:
+        def image(sop_class):
+            return dicom(change=lambda k: {
+                (0x8, 0x16): ("UI", sop_class), **({(0x28, 0x10): None} if k == 6 else {})})(same)
+        self.assert_refused(self.tell(self.write(image("1.2.840.10008.5.1.4.1.1.4"))), "6.dcm", "SOP class")
+        folder = self.write(dicom()(same))
+        os.mkfifo(folder / "fifo")
+        (folder / "link").symlink_to("nowhere")
+        self.assertEqual(self.tell(folder).status, 0)
+
     def frames(self, positions: list | None, slopes=None, more: dict | None = None) -> Original:
         """One file of several frames, with or without groups that tell of each."""
         nx, ny, nz = SIZE

@@ -10,6 +10,7 @@
 #include <gdcmImageChangePlanarConfiguration.h>
 #include <gdcmImageHelper.h>
 #include <gdcmImageReader.h>
+#include <gdcmMediaStorage.h>
 #include <gdcmSequenceOfItems.h>
 #include <gdcmTrace.h>
 
@@ -181,6 +182,11 @@ std::vector<DicomSlice> SlicesOf(const std::string& path)
   slice.Components = gdcm::ImageHelper::GetPixelFormatValue(reader.GetFile()).GetSamplesPerPixel();
   if (slice.Columns == 0 || slice.Rows == 0)
   {
+    gdcm::MediaStorage kind;
+    if (kind.SetFromDataSet(file) && gdcm::MediaStorage::IsImage(kind))
+    {
+      throw std::runtime_error("it is an image by its SOP class, but has no rows or columns");
+    }
     return {};
   }
   if (slice.Frames > SizeOf(path))

@@ -45,7 +45,7 @@ Slices SlicesIn(const std::string& directory)
   std::vector<std::string> paths;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, error))
   {
-    if (!entry.is_directory(error))
+    if (entry.is_regular_file(error))
     {
       paths.push_back(entry.path().string());
     }

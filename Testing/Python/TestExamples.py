@@ -23,7 +23,7 @@ import numpy
 from spheres import SAMPLES, distances, image_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkStructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLStructuredGridWriter
 
@@ -625,6 +625,23 @@ class DrawnValues(Files):
         data = meshes.vts(str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + meshes.array(
             "vtkGhostType", "UInt8", hidden, str) + "</CellData>\n")
         self.assert_range(5, 6, "a.vts", data)
+
+    def test_marks_of_images_take_little_memory(self):
+        import tracemalloc
+        from drawn import Drawn
+        image, marks = vtkImageData(), numpy.zeros(64 ** 3, numpy.uint8)
+        image.SetDimensions(64, 64, 64)
+        marks[-1] = vtkDataSetAttributes.HIDDENPOINT
+        for name, numbers in (("value", numpy.arange(64.0 ** 3)), (vtkDataSetAttributes.GhostArrayName(), marks)):
+            array = numpy_to_vtk(numbers, deep=True)
+            array.SetName(name)
+            image.GetPointData().AddArray(array)
+        tracemalloc.start()
+        drawn = Drawn(image)
+        most = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        self.assertLess(most, 20 * 64 ** 3)
+        self.assertEqual(drawn.range(image.GetPointData().GetArray("value"), False), (0, 64 ** 3 - 2))
 
     def test_ranges_that_are_too_large(self):
         numpy.save(self.folder / "a.npy", numpy.resize((-1.7e308, 1.7e308, 0.0), (4, 4, 4)))

@@ -11,7 +11,8 @@ from vtkmodules.vtkCommonCore import vtkDataArray, vtkDoubleArray, vtkIdTypeArra
 from vtkmodules.vtkCommonDataModel import (
     VTK_NUMBER_OF_CELL_TYPES, vtkDataSet, vtkDataSetAttributes, vtkGenericCell, vtkImageData, vtkUnstructuredGrid)
 
-HIDDEN = vtkDataSetAttributes.HIDDENCELL | vtkDataSetAttributes.REFINEDCELL | vtkDataSetAttributes.DUPLICATECELL
+WITHOUT_VALUE = vtkDataSetAttributes.HIDDENCELL | vtkDataSetAttributes.REFINEDCELL
+HIDDEN = WITHOUT_VALUE | vtkDataSetAttributes.DUPLICATECELL
 
 
 def has_volume(kind: int) -> bool:
@@ -28,23 +29,21 @@ class Drawn:
         ghosts = [_ghosts(data.GetCellData()), _ghosts(data.GetPointData())]
         self._are_all = not isinstance(data, vtkUnstructuredGrid) and not any(
             marks is not None for marks in ghosts)
-        self._corners: tuple[numpy.ndarray, numpy.ndarray] | None = None
         if self._are_all:
             return
         count = data.GetNumberOfCells()
-        self._cells = numpy.ones(count, bool)
+        self._have_values = numpy.ones(count, bool)
         if isinstance(data, vtkUnstructuredGrid):
             types = numpy.fromiter((data.GetCellType(cell) for cell in range(count)), numpy.uint8, count)
             drawn = [kind for kind in range(VTK_NUMBER_OF_CELL_TYPES) if has_volume(kind)]
-            self._cells &= numpy.isin(types, drawn)
+            self._have_values &= numpy.isin(types, drawn)
+        self._cells = self._have_values.copy()
         if ghosts[0] is not None:
+            self._have_values &= ghosts[0] & WITHOUT_VALUE == 0
             self._cells &= ghosts[0] & HIDDEN == 0
-        owners, points = self._cells_of_points()
         if ghosts[1] is not None:
-            is_hidden = ghosts[1] & vtkDataSetAttributes.HIDDENPOINT != 0
-            self._cells &= numpy.bincount(owners, is_hidden[points], count) == 0
-        self._points = numpy.zeros(data.GetNumberOfPoints(), bool)
-        self._points[points[self._cells[owners]]] = True
+            self._cells &= ~_touch(data, ghosts[1] & vtkDataSetAttributes.HIDDENPOINT != 0)
+        self._points = _sums(data, self._cells.astype(numpy.uint8)) > 0
 
     def range(self, array: vtkDataArray, is_on_cells: bool) -> tuple[float, float]:
         """The least and the greatest finite first component; the first is larger if there is none."""
@@ -58,20 +57,15 @@ class Drawn:
         return (float(values.min()), float(values.max())) if len(values) else (numpy.inf, -numpy.inf)
 
     def _averages(self, array: vtkDataArray) -> numpy.ndarray:
-        """The means of the drawn cells around each point, as the mapper draws cells of meshes."""
-        owners, points = self._cells_of_points()
+        """The means of the cells around each drawn point, as the mapper draws cells of meshes."""
+        values = _first_component(array)
+        are_used = ~numpy.isnan(values)
         if not self._are_all:
-            is_drawn = self._cells[owners]
-            owners, points = owners[is_drawn], points[is_drawn]
-        counts = numpy.bincount(points)
-        sums = numpy.bincount(points, _first_component(array)[owners])
-        return sums[counts > 0] / counts[counts > 0]
-
-    def _cells_of_points(self) -> tuple[numpy.ndarray, numpy.ndarray]:
-        """Of each corner of a cell the cell and the point."""
-        if self._corners is None:
-            self._corners = _corners(self._data)
-        return self._corners
+            are_used &= self._have_values
+        counts = _sums(self._data, are_used.astype(numpy.uint8))
+        sums = _sums(self._data, numpy.where(are_used, values, 0))
+        are_means = counts > 0 if self._are_all else (counts > 0) & self._points
+        return sums[are_means] / counts[are_means]
 
 
 def _ghosts(attributes: vtkDataSetAttributes) -> numpy.ndarray | None:
@@ -86,16 +80,41 @@ def _first_component(array: vtkDataArray) -> numpy.ndarray:
     return vtk_to_numpy(values)
 
 
-def _corners(data: vtkDataSet) -> tuple[numpy.ndarray, numpy.ndarray]:
+def _sums(data: vtkDataSet, of_cells: numpy.ndarray) -> numpy.ndarray:
+    """Of each point, the sum over the cells around it."""
     if isinstance(data, vtkUnstructuredGrid):
-        offsets, points = vtkIdTypeArray(), vtkIdTypeArray()
-        # Some are made by VTK when they are asked for.
-        offsets.DeepCopy(data.GetCells().GetOffsetsArray())
-        points.DeepCopy(data.GetCells().GetConnectivityArray())
-        sizes = numpy.diff(vtk_to_numpy(offsets))
-        return numpy.repeat(numpy.arange(len(sizes)), sizes), vtk_to_numpy(points)
+        owners, points = _owners_and_points(data)
+        return numpy.bincount(points, of_cells[owners], data.GetNumberOfPoints())
     nx, ny, nz = data.GetDimensions()
-    ids = numpy.arange(nx * ny * nz).reshape(nz, ny, nx)
-    points = numpy.stack([
-        ids[k:nz - 1 + k, j:ny - 1 + j, i:nx - 1 + i].ravel() for k in (0, 1) for j in (0, 1) for i in (0, 1)])
-    return numpy.tile(numpy.arange(points.shape[1]), 8), points.ravel()
+    sums = numpy.zeros((nz, ny, nx), of_cells.dtype)
+    for corner in _corners(nx, ny, nz):
+        sums[corner] += of_cells.reshape(nz - 1, ny - 1, nx - 1)
+    return sums.ravel()
+
+
+def _touch(data: vtkDataSet, points: numpy.ndarray) -> numpy.ndarray:
+    """Whether each cell has one of the points."""
+    if isinstance(data, vtkUnstructuredGrid):
+        owners, corners = _owners_and_points(data)
+        return numpy.bincount(owners, points[corners], data.GetNumberOfCells()) > 0
+    nx, ny, nz = data.GetDimensions()
+    touch = numpy.zeros(data.GetNumberOfCells(), bool)
+    for corner in _corners(nx, ny, nz):
+        touch |= points.reshape(nz, ny, nx)[corner].ravel()
+    return touch
+
+
+def _corners(nx: int, ny: int, nz: int) -> list:
+    """Where the points are that are the first, ... eighth of each cell; none where cells are flat."""
+    return [numpy.s_[k:nz - 1 + k, j:ny - 1 + j, i:nx - 1 + i]
+            for k in (0, 1) for j in (0, 1) for i in (0, 1) if min(nx, ny, nz) > 1]
+
+
+def _owners_and_points(data: vtkUnstructuredGrid) -> tuple[numpy.ndarray, numpy.ndarray]:
+    """Of each corner of a cell the cell and the point."""
+    offsets, points = vtkIdTypeArray(), vtkIdTypeArray()
+    # Some are made by VTK when they are asked for.
+    offsets.DeepCopy(data.GetCells().GetOffsetsArray())
+    points.DeepCopy(data.GetCells().GetConnectivityArray())
+    sizes = numpy.diff(vtk_to_numpy(offsets))
+    return numpy.repeat(numpy.arange(len(sizes)), sizes), vtk_to_numpy(points)

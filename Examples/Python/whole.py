@@ -105,7 +105,7 @@ def _numbers(words: list) -> list[float]:
 
 def _end_of_header(path: str) -> int:
     with open(path, "rb") as file:
-        next((line for line in file if line.startswith(b"ElementDataFile")), None)
+        next((line for line in file if line.lstrip().startswith(b"ElementDataFile")), None)
         return file.tell()
 
 

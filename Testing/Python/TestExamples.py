@@ -23,7 +23,7 @@ import numpy
 from spheres import SAMPLES, distances, image_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkStructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLStructuredGridWriter
 
@@ -547,6 +547,12 @@ class WholeFiles(Files):
             with self.subTest(new=new):
                 self.assertIn(words, self.read_or_refuse("a.mha", plain.replace(old, new, 1)))
 
+    def test_meta_images_with_blanks_before_keys(self):
+        from originals import meta
+        plain = meta(True)(lambda value: value).files["a.mha"]
+        blank = plain.replace(b"ElementDataFile", b"  ElementDataFile")
+        self.assertEqual(self.read_or_refuse("a.mha", blank), self.read_or_refuse("a.mha", plain))
+
     def test_meta_images_of_slices(self):
         from originals import meta
         for k in range(1, 8):
@@ -605,6 +611,13 @@ class DrawnValues(Files):
         self.assert_range(0, 100, "a.vts", meshes.vts(
             str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + "</CellData>\n"))
 
+    def test_means_without_cells_that_are_nan(self):
+        import meshes
+        numbers = [0] * len(meshes.cells())
+        numbers[16:18] = "nan", 800  # beside each other in the middle
+        self.assert_range(0, 800 / 7, "a.vts", meshes.vts(
+            str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + "</CellData>\n"))
+
     def test_not_those_of_hidden_cells(self):
         import meshes
         hidden = [32 if i >= 27 else 0 for i in range(len(meshes.cells()))]
@@ -612,6 +625,23 @@ class DrawnValues(Files):
         data = meshes.vts(str, "<CellData>" + meshes.array("value", "Float32", numbers, str) + meshes.array(
             "vtkGhostType", "UInt8", hidden, str) + "</CellData>\n")
         self.assert_range(5, 6, "a.vts", data)
+
+    def test_marks_of_images_take_little_memory(self):
+        import tracemalloc
+        from drawn import Drawn
+        image, marks = vtkImageData(), numpy.zeros(64 ** 3, numpy.uint8)
+        image.SetDimensions(64, 64, 64)
+        marks[-1] = vtkDataSetAttributes.HIDDENPOINT
+        for name, numbers in (("value", numpy.arange(64.0 ** 3)), (vtkDataSetAttributes.GhostArrayName(), marks)):
+            array = numpy_to_vtk(numbers, deep=True)
+            array.SetName(name)
+            image.GetPointData().AddArray(array)
+        tracemalloc.start()
+        drawn = Drawn(image)
+        most = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        self.assertLess(most, 20 * 64 ** 3)
+        self.assertEqual(drawn.range(image.GetPointData().GetArray("value"), False), (0, 64 ** 3 - 2))
 
     def test_ranges_that_are_too_large(self):
         numpy.save(self.folder / "a.npy", numpy.resize((-1.7e308, 1.7e308, 0.0), (4, 4, 4)))

@@ -10,6 +10,7 @@
 #include <gdcmImageChangePlanarConfiguration.h>
 #include <gdcmImageHelper.h>
 #include <gdcmImageReader.h>
+#include <gdcmMediaStorage.h>
 #include <gdcmSequenceOfItems.h>
 #include <gdcmTrace.h>
 
@@ -150,11 +151,23 @@ std::string FaultOf(const gdcm::File& file)
     : "";
 }
 
+// Whether a file ends before pixels that are not compressed, which GDCM fills up with zeros.
+bool IsCut(const gdcm::Reader& reader, const DicomSlice& slice)
+{
+  const gdcm::TransferSyntax syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
+  const double bytes = gdcm::ImageHelper::GetPixelFormatValue(reader.GetFile()).GetPixelSize() *
+    static_cast<double>(slice.Columns) * slice.Rows * slice.Frames;
+  return !syntax.IsEncapsulated() &&
+    syntax != gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian &&
+    static_cast<double>(reader.GetStreamCurrentPosition()) + bytes >
+    static_cast<double>(SizeOf(slice.Path));
+}
+
 std::vector<DicomSlice> SlicesOf(const std::string& path)
 {
   gdcm::Reader reader;
   reader.SetFileName(path.c_str());
-  if (!reader.ReadUpToTag(Pixels))
+  if (!reader.ReadUpToTag(Pixels, { Pixels })) // up to where they begin
   {
     throw std::runtime_error("its elements are not those of DICOM");
   }
@@ -166,8 +179,14 @@ std::vector<DicomSlice> SlicesOf(const std::string& path)
   slice.Columns = size[0];
   slice.Rows = size[1];
   slice.Frames = size[2];
+  slice.Components = gdcm::ImageHelper::GetPixelFormatValue(reader.GetFile()).GetSamplesPerPixel();
   if (slice.Columns == 0 || slice.Rows == 0)
   {
+    gdcm::MediaStorage kind;
+    if (kind.SetFromDataSet(file) && gdcm::MediaStorage::IsImage(kind))
+    {
+      throw std::runtime_error("it is an image by its SOP class, but has no rows or columns");
+    }
     return {};
   }
   if (slice.Frames > SizeOf(path))
@@ -175,6 +194,10 @@ std::vector<DicomSlice> SlicesOf(const std::string& path)
     throw std::runtime_error("its " + std::to_string(slice.Frames) + " frames are not there");
   }
   slice.Fault = FaultOf(reader.GetFile());
+  if (slice.Fault.empty() && IsCut(reader, slice))
+  {
+    slice.Fault = "its pixels are not all there";
+  }
   slice.Number = NumberOf(file, Number, 0.0);
   slice.Distance = NumberOf(file, SliceDistance, NumberOf(file, SliceThickness, 0.0));
   std::vector<DicomSlice> slices;

@@ -45,7 +45,7 @@ Slices SlicesIn(const std::string& directory)
   std::vector<std::string> paths;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, error))
   {
-    if (!entry.is_directory(error))
+    if (entry.is_regular_file(error))
     {
       paths.push_back(entry.path().string());
     }
@@ -67,8 +67,9 @@ bool AreParallel(const DicomSlice& a, const DicomSlice& b)
     return std::equal(one.begin(), one.end(), other.begin(), other.end(),
       [](double x, double y) { return std::abs(x - y) < SameNumber; });
   };
-  return a.Rows == b.Rows && a.Columns == b.Columns && areClose(a.Orientation, b.Orientation) &&
-    areClose(a.Spacing, b.Spacing) && a.Position.size() == b.Position.size();
+  return a.Rows == b.Rows && a.Columns == b.Columns && a.Components == b.Components &&
+    areClose(a.Orientation, b.Orientation) && areClose(a.Spacing, b.Spacing) &&
+    a.Position.size() == b.Position.size();
 }
 
 // The largest of groups whose members belong together; the first of several.
@@ -164,6 +165,7 @@ vtkSmartPointer<vtkDataArray> ValuesOf(const Slices& slices, const ReadingProgre
   const auto rows = static_cast<vtkIdType>(slices.front().Rows);
   const auto count = static_cast<vtkIdType>(slices.size());
   std::map<std::string, vtkSmartPointer<vtkDataArray>> files;
+  vtkDataArray* first = nullptr;
   ValueType type;
   for (const DicomSlice& slice : slices)
   {
@@ -178,14 +180,14 @@ vtkSmartPointer<vtkDataArray> ValuesOf(const Slices& slices, const ReadingProgre
       throw Damaged(slice.Path, slice.Fault);
     }
     samples = samples ? samples : ReadDicomPixels(slice.Path);
+    first = files.at(slices.front().Path);
     if (samples->GetNumberOfTuples() != row * rows * slice.Frames ||
-      samples->GetNumberOfComponents() != files.begin()->second->GetNumberOfComponents())
+      samples->GetNumberOfComponents() != first->GetNumberOfComponents())
     {
       throw Damaged(slice.Path, "its slice is of another kind than others of the directory");
     }
     type.Add(samples, slice.Values);
   }
-  vtkDataArray* first = files.begin()->second;
   const auto values = MakeArrayLike(first, type.Get(), row * rows * count);
   const vtkIdType length = row * first->GetNumberOfComponents();
   vtkIdType at = 0;
@@ -280,7 +282,7 @@ void ReadDicom(const std::string& path, const ReadingProgress& progress, Volume&
   {
     volume.Remark = std::to_string(series.size() - slices.size()) + " of " +
       std::to_string(series.size()) + " slices of the DICOM series in " + Quoted(path) +
-      " are left out: they have another orientation or size.";
+      " are left out: they have another orientation, size or kind of pixels.";
   }
   if (slices.front().Position.empty() || slices.front().Orientation.empty())
   {

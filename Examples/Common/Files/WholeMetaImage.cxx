@@ -32,10 +32,12 @@ bool IsTrue(Fields& fields, const char* key)
 double EndOfHeader(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
-  for (std::string line; std::getline(file, line) && line.compare(0, 15, "ElementDataFile") != 0;)
+  std::string line;
+  while (std::getline(file >> std::ws, line) && line.compare(0, 15, "ElementDataFile") != 0)
   {
   }
-  return static_cast<double>(file.tellg());
+  const std::streamoff end = file.tellg(); // -1 where no line follows
+  return end < 0 ? static_cast<double>(SizeOf(path)) : static_cast<double>(end);
 }
 
 // How many files of slices a header lists, or tells of by a pattern; infinite where it tells no

@@ -59,18 +59,19 @@ std::string PartOf(const std::string& path, vtkXMLDataElement* element)
   return name && *name ? (fs::path(path).parent_path() / name).string() : "";
 }
 
-void AddParts(const std::string& path, vtkXMLDataElement* element, std::vector<std::string>& parts)
+// The elements that name files.
+void AddParts(const std::string& path, vtkXMLDataElement* element, std::vector<Element>& parts)
 {
-  const std::string part = PartOf(path, element);
-  parts.insert(parts.end(), part.empty() ? 0 : 1, part);
+  parts.insert(parts.end(), PartOf(path, element).empty() ? 0 : 1, element);
   for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
   {
     AddParts(path, element->GetNestedElement(i), parts);
   }
 }
 
-// VTK's reader leaves what no piece has as it was in memory.
-std::string FaultOfPieces(vtkXMLDataElement* grid)
+// VTK's reader leaves what no piece has as it was in memory. Of a part it asks for the extent that
+// the list tells of it, if any.
+std::string FaultOfPieces(vtkXMLDataElement* grid, vtkXMLDataElement* inList)
 {
   vtkNew<vtkExtentSplitter> splitter;
   vtkXMLDataElement* cells = grid->FindNestedElementWithName("PCellData");
@@ -87,12 +88,15 @@ std::string FaultOfPieces(vtkXMLDataElement* grid)
     hasCells = hasCells || (cells && cells->GetNumberOfNestedElements() > 0);
   }
   splitter->SetPointMode(!hasCells);
-  if (grid->GetVectorAttribute("WholeExtent", 6, box.data()) == 6 &&
+  const bool isInList = inList && inList->GetVectorAttribute("Extent", 6, box.data()) == 6;
+  if ((isInList || grid->GetVectorAttribute("WholeExtent", 6, box.data()) == 6) &&
     box != Box{ 0, -1, 0, -1, 0, -1 })
   {
     splitter->AddExtent(box.data());
   }
-  return splitter->ComputeSubExtents() ? "" : "has pieces that do not cover its WholeExtent";
+  return splitter->ComputeSubExtents() ? ""
+    : isInList                         ? "has pieces that do not cover its Extent in the list"
+                                       : "has pieces that do not cover its WholeExtent";
 }
 
 // Whether the image of a block, if it names one, has the size of its box, which is not far away.
@@ -145,7 +149,7 @@ std::string FaultOfBlocks(const std::string& path, vtkXMLDataElement* grid)
   return "";
 }
 
-std::string FaultOf(const std::string& path, int depth)
+std::string FaultOf(const std::string& path, int depth, vtkXMLDataElement* inList)
 {
   constexpr int MostLists = 4; // within each other
   const Element root = RootOf(path);
@@ -153,23 +157,24 @@ std::string FaultOf(const std::string& path, int depth)
   {
     return "does not end as XML of VTK does";
   }
-  std::vector<std::string> parts;
+  std::vector<Element> parts;
   AddParts(path, root, parts);
   std::error_code error;
   std::string fault;
   for (std::size_t i = 0; i < parts.size() && fault.empty(); ++i)
   {
-    fault = !fs::is_regular_file(parts[i], error) ? "is not there"
-      : depth < MostLists && IsXmlName(parts[i])  ? FaultOf(parts[i], depth + 1)
-                                                  : "";
-    fault = fault.empty() ? "" : "names " + Quoted(parts[i]) + ", which " + fault;
+    const std::string part = PartOf(path, parts[i]);
+    fault = !fs::is_regular_file(part, error) ? "is not there"
+      : depth < MostLists && IsXmlName(part)  ? FaultOf(part, depth + 1, parts[i])
+                                              : "";
+    fault = fault.empty() ? "" : "names " + Quoted(part) + ", which " + fault;
   }
   for (int i = 0; i < root->GetNumberOfNestedElements() && fault.empty(); ++i)
   {
     vtkXMLDataElement* grid = root->GetNestedElement(i);
     const std::string kind = grid->GetName();
     const bool isAdaptive = kind == "vtkOverlappingAMR" || kind == "vtkHierarchicalBoxDataSet";
-    fault = isAdaptive ? FaultOfBlocks(path, grid) : FaultOfPieces(grid);
+    fault = isAdaptive ? FaultOfBlocks(path, grid) : FaultOfPieces(grid, inList);
   }
   return fault;
 }
@@ -184,17 +189,22 @@ bool IsXmlName(const std::string& path)
 
 std::vector<std::string> PartsOf(const std::string& path)
 {
-  std::vector<std::string> parts;
+  std::vector<Element> parts;
   if (const Element root = RootOf(path))
   {
     AddParts(path, root, parts);
   }
-  return parts;
+  std::vector<std::string> names;
+  for (const Element& part : parts)
+  {
+    names.push_back(PartOf(path, part));
+  }
+  return names;
 }
 
 void RequireWholeXml(const std::string& path)
 {
-  if (const std::string fault = FaultOf(path, 0); !fault.empty())
+  if (const std::string fault = FaultOf(path, 0, nullptr); !fault.empty())
   {
     throw Damaged(path, "it " + fault);
   }

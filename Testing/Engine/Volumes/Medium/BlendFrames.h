@@ -24,8 +24,7 @@ inline constexpr TemporalCoherence::BlendMode AllBlendModes[] = {
 
 inline std::string NameOf(TemporalCoherence::BlendMode mode)
 {
-  constexpr const char* names[] = { "Isosurface", "Composite", "Maximum", "Minimum", "Average",
-    "Additive" };
+  constexpr const char* names[] = { "Composite", "Maximum", "Minimum", "Average", "Additive" };
   return names[static_cast<int>(mode)];
 }
 

@@ -73,13 +73,7 @@ vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
 {
   const auto reader = vtkSmartPointer<vtkGenericDataObjectReader>::New();
   reader->SetFileName(path.c_str());
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllNormalsOn();
-  reader->ReadAllTensorsOn();
-  reader->ReadAllColorScalarsOn();
-  reader->ReadAllTCoordsOn();
-  reader->ReadAllFieldsOn();
+  ReadAllArrays(reader);
   return reader;
 }
 

@@ -6,6 +6,7 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
+#include <vtkDataReader.h>
 #include <vtkInformation.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
@@ -55,6 +56,17 @@ void Watch::OnProgress(vtkObject*, unsigned long, void* clientData, void* callDa
     self->IsStopped = true;
     self->Reader->SetAbortExecute(1);
   }
+}
+
+void ReadAllArrays(vtkDataReader* reader)
+{
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
 }
 
 int TimeStepsOf(vtkAlgorithm* reader)

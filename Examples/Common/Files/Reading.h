@@ -13,6 +13,7 @@
 
 class vtkAlgorithm;
 class vtkCallbackCommand;
+class vtkDataReader;
 class vtkObject;
 
 // Is told the share that is read, from 0 to 1; false stops the reading.
@@ -39,6 +40,9 @@ private:
   vtkNew<vtkCallbackCommand> Command;
   bool IsStopped = false;
 };
+
+// Without it, a reader of VTK's legacy format reads the first array of each kind.
+void ReadAllArrays(vtkDataReader* reader);
 
 // How many time steps a reader tells of, at least 1. Its information must be up to date.
 int TimeStepsOf(vtkAlgorithm* reader);

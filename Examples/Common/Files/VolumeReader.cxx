@@ -64,13 +64,7 @@ vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path, const ReadingP
 {
   vtkNew<vtkStructuredPointsReader> reader;
   reader->SetFileName(path.c_str());
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllNormalsOn();
-  reader->ReadAllTensorsOn();
-  reader->ReadAllColorScalarsOn();
-  reader->ReadAllTCoordsOn();
-  reader->ReadAllFieldsOn();
+  ReadAllArrays(reader);
   Watch(reader, progress).Update(path);
   return reader->GetOutput();
 }

@@ -105,13 +105,7 @@ private:
   HWY_INLINE M Passes(const CellFaces& faces, std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
-    V enter = Set(-TileBeam::Never), leave = Set(TileBeam::Never);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
-      enter = hn::Max(enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
-      leave = hn::Min(leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
-    }
+    const auto [enter, leave] = FindInterval(faces, beam.Origin, beam.Inverse, i);
     const V behind = Load(&beam.Behind[i]), begin = Load(&beam.WalkBegin[i]);
     return hn::And(hn::Le(enter, hn::Min(leave, behind)), hn::Ge(leave, begin));
   }

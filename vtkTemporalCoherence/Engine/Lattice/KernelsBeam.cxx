@@ -26,12 +26,6 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Intervals of t of a vector of rays in a box.
-struct Interval
-{
-  V Enter, Leave;
-};
-
 /// Tests cells against the rays of a beam, and records certain hits and open cells.
 /// \tparam IsPlain TileBeam::IsPlain
 /// \tparam Lattice tells where cells lie (KernelsLattice-inl.h)
@@ -111,34 +105,13 @@ private:
     }
   }
 
-  /// The intervals of a vector of rays in a cell, given its faces. A ray that begins or ends inside
-  /// the cell gets the interval of the infinite line.
+  /// The intervals of a vector of rays in a cell. A ray that begins or ends inside the cell gets
+  /// the interval of the infinite line.
   HWY_INLINE Interval Pass(const CellFaces& faces, std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
-    Interval passed;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const V inverse = Load(&beam.Inverse[a][i]);
-      V enter, leave;
-      if constexpr (IsPlain)
-      {
-        const V toOrigin = Load(&beam.ToOrigin[a][i]);
-        enter = hn::MulAdd(Set(faces.Near[a]), inverse, toOrigin);
-        leave = hn::MulAdd(Set(faces.Far[a]), inverse, toOrigin);
-      }
-      else
-      {
-        const V origin = Load(&beam.Origin[a][i]);
-        const V one = hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse);
-        const V other = hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse);
-        enter = hn::Min(one, other);
-        leave = hn::Max(one, other);
-      }
-      passed.Enter = a == 0 ? enter : hn::Max(passed.Enter, enter);
-      passed.Leave = a == 0 ? leave : hn::Min(passed.Leave, leave);
-    }
-    return passed;
+    return IsPlain ? FindPlainInterval(faces, beam, i)
+                   : FindInterval<false>(faces, beam.Origin, beam.Inverse, i);
   }
 
   /// Selects the rays of a vector that pass a cell in front of their certain hits.

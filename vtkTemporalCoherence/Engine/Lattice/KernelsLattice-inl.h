@@ -48,6 +48,47 @@ struct CellFaces
   float Near[3], Far[3];
 };
 
+/// Intervals of t of a vector of rays in a cell.
+struct Interval
+{
+  V Enter, Leave;
+};
+
+/// Find where the infinite lines of rays are between a cell's faces.
+/// \tparam AreAlike TileBeam::AreAlike
+/// \param origin, inverse of the rays of a beam
+/// \param i first ray of the vector
+template <bool AreAlike = true>
+HWY_INLINE Interval FindInterval(const CellFaces& faces,
+  const std::array<TileBeam::Array<float>, 3>& origin,
+  const std::array<TileBeam::Array<float>, 3>& inverse, std::size_t i)
+{
+  Interval in{ Set(-TileBeam::Never), Set(TileBeam::Never) };
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const V from = Load(&origin[a][i]), scale = Load(&inverse[a][i]);
+    const V one = hn::Mul(hn::Sub(Set(faces.Near[a]), from), scale);
+    const V other = hn::Mul(hn::Sub(Set(faces.Far[a]), from), scale);
+    in.Enter = hn::Max(in.Enter, AreAlike ? one : hn::Min(one, other));
+    in.Leave = hn::Min(in.Leave, AreAlike ? other : hn::Max(one, other));
+  }
+  return in;
+}
+
+/// The intervals of the rays of a plain beam, with fewer operations.
+/// \pre beam.IsPlain
+HWY_INLINE Interval FindPlainInterval(const CellFaces& faces, const TileBeam& beam, std::size_t i)
+{
+  Interval in{ Set(-TileBeam::Never), Set(TileBeam::Never) };
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const V inverse = Load(&beam.Inverse[a][i]), toOrigin = Load(&beam.ToOrigin[a][i]);
+    in.Enter = hn::Max(in.Enter, hn::MulAdd(Set(faces.Near[a]), inverse, toOrigin));
+    in.Leave = hn::Min(in.Leave, hn::MulAdd(Set(faces.Far[a]), inverse, toOrigin));
+  }
+  return in;
+}
+
 /// Paths of a vector of rays from `enter` to `leave`, in the cell's coordinates.
 template <class Box>
 HWY_INLINE void FindPathsIn(

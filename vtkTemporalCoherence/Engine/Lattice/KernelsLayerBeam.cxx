@@ -353,23 +353,8 @@ HWY_INLINE std::uint64_t FindStays(const Box& box, const TileBeam& beam, CellSta
   std::uint64_t passing = 0;
   for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
   {
-    V enter = Set(-TileBeam::Never), leave = Set(TileBeam::Never);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const V inverse = Load(&beam.Inverse[a][i]);
-      if constexpr (IsPlain)
-      {
-        const V toOrigin = Load(&beam.ToOrigin[a][i]);
-        enter = hn::Max(enter, hn::MulAdd(Set(faces.Near[a]), inverse, toOrigin));
-        leave = hn::Min(leave, hn::MulAdd(Set(faces.Far[a]), inverse, toOrigin));
-      }
-      else
-      {
-        const V origin = Load(&beam.Origin[a][i]);
-        enter = hn::Max(enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
-        leave = hn::Min(leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
-      }
-    }
+    auto [enter, leave] = IsPlain ? FindPlainInterval(faces, beam, i)
+                                  : FindInterval(faces, beam.Origin, beam.Inverse, i);
     if (!IsPlain)
     {
       enter = hn::Max(enter, Load(&beam.Begin[i]));

@@ -264,14 +264,9 @@ private:
     std::uint64_t passing = 0;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(d))
     {
-      V enter = hn::LoadU(d, &this->Rays.Begin[i]), leave = hn::LoadU(d, &this->Rays.End[i]);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        const V origin = hn::LoadU(d, &this->Beam.Origin[a][i]);
-        const V inverse = hn::LoadU(d, &this->Rays.Inverse[a][i]);
-        enter = hn::Max(enter, hn::Mul(hn::Sub(hn::Set(d, faces.Near[a]), origin), inverse));
-        leave = hn::Min(leave, hn::Mul(hn::Sub(hn::Set(d, faces.Far[a]), origin), inverse));
-      }
+      const auto in = beams::FindInterval(faces, this->Beam.Origin, this->Rays.Inverse, i);
+      const V enter = hn::Max(hn::LoadU(d, &this->Rays.Begin[i]), in.Enter);
+      const V leave = hn::Min(hn::LoadU(d, &this->Rays.End[i]), in.Leave);
       const V shown = hn::LoadU(d, &this->Rays.Shown[i]);
       const M passes = hn::And(hn::Lt(enter, leave), hn::Gt(shown, hn::Set(d, LeastPassed)));
       passing |= beams::BitsOf(passes) << i;

@@ -112,24 +112,6 @@ HWY_INLINE std::uint64_t FindAtLeast(const std::array<float, 64>& bounds, float 
   return found;
 }
 
-/// The interval of a vector of rays in a box.
-struct Interval
-{
-  V Enter, Leave;
-};
-
-HWY_INLINE Interval FindPassage(const TileBeam& beam, const beams::CellFaces& faces, std::size_t i)
-{
-  Interval passage{ Set(-TileBeam::Never), Set(TileBeam::Never) };
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
-    passage.Enter = hn::Max(passage.Enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
-    passage.Leave = hn::Min(passage.Leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
-  }
-  return passage;
-}
-
 /// Bounds of the largest values of a vector of rays in a cell.
 struct MetValues
 {
@@ -252,7 +234,7 @@ private:
     }
     else
     {
-      sure = FindPassage(beam, this->Inner, i);
+      sure = beams::FindInterval(this->Inner, beam.Origin, beam.Inverse, i);
     }
     const V margin = Set(2.0f * beam.Margin);
     return { hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin)),

@@ -34,6 +34,7 @@ namespace segments = SegmentKernels::HWY_NAMESPACE;
 using beams::BitsIn;
 using beams::BitsOf;
 using beams::Floats;
+using beams::Interval;
 using beams::Load;
 using beams::M;
 using beams::Set;

@@ -296,7 +296,7 @@ private:
     std::uint64_t widened = 0;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
-      const Interval passage = FindPassage(this->Beam, faces, i);
+      const Interval passage = beams::FindInterval(faces, this->Beam.Origin, this->Beam.Inverse, i);
       widened |= BitsOf(this->MayWiden(passage, Set(bound), i)) << i;
     }
     return widened & this->Wanted;
@@ -382,7 +382,8 @@ private:
       passed.Which = 0;
       if (bound >= passed.LeastReached)
       {
-        const Interval passage = FindPassage(this->Beam, faces, i);
+        const Interval passage =
+          beams::FindInterval(faces, this->Beam.Origin, this->Beam.Inverse, i);
         passed.Which = BitsOf(this->MayWiden(passage, Set(bound), i)) & rays >> i;
         hn::StoreU(passage.Enter, Floats(), passed.Enter);
         hn::StoreU(passage.Leave, Floats(), passed.Leave);

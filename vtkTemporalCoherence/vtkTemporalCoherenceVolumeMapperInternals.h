@@ -38,7 +38,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   bool HasWarned = false;              ///< of the memory limit
   bool HasWarnedOfDivision = false;    ///< and the error is still large
   bool HasWarnedOfOverlap = false;     ///< and cells still overlap
-  bool HasWarnedOfBounded = false;     ///< an accuracy that is removed
+  bool HasWarnedOfBounded = false;     ///< the removed accuracy BOUNDED
   TemporalCoherence::FieldSetUp SetUp; ///< of the last frame
   vtkNew<vtkTemporalCoherenceStatistics> Statistics;
   bool IsMaking = false; ///< a frame or an isomap, while observers may call anything
@@ -178,7 +178,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
       last.Made != TemporalCoherence::Route::Recomposite &&
       last.Made != TemporalCoherence::Route::KeepValues)
     {
-      // Not the time to build the isomap: the next frames in the view need not build it again.
+      // The time to build the isomap does not count: the next frames in the view need not build it.
       this->Distances.Learn(
         this->Frames.LastSize(), last.FrameTime - last.IsomapBuildTime, allowed);
     }

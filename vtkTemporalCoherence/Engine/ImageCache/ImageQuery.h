@@ -13,7 +13,7 @@
 namespace TemporalCoherence
 {
 
-/// What a frame made from the image cache promises.
+/// The promise of a frame that is made after the view has changed.
 enum class ReuseAccuracy : std::uint8_t
 {
   Exact, ///< the cold picture

@@ -9,9 +9,9 @@
 namespace TemporalCoherence
 {
 
-/// What a cached image tells of rays, as published: definite misses are not traced, a definite hit
-/// is refined within a voxel or re-used with its colour, and possible hits are traced from where
-/// the image tells no more.
+/// The paper's hint from a cached image: definite misses are not traced, a definite hit is refined
+/// within a voxel or re-used with its colour, and possible hits are traced from the end of the
+/// space that the image shows to be free.
 class PaperHint : public RayHint
 {
 public:

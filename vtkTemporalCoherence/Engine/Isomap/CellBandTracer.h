@@ -82,7 +82,7 @@ private:
       Real lowest = this->Cells.FromLowest(static_cast<Value>(range.Min));
       if constexpr (std::is_floating_point_v<T>)
       {
-        // As for cells, the progress of non-finite samples is unbounded.
+        // A sample that is not finite bounds no progress, in a block as in a cell.
         highest = std::isfinite(range.Max) ? highest : infinity;
         lowest = std::isfinite(range.Min) ? lowest : -infinity;
       }

@@ -87,7 +87,7 @@ FrameBands::~FrameBands()
 
 DragRule::Step FrameBands::StepTo(double isovalue) const
 {
-  // Of several previous isovalues, the nearest is taken to be the one that moved.
+  // The nearest previous isovalue is taken to be the one that moved.
   const std::vector<double>& before = this->From.IsovaluesBefore;
   const auto nearest = std::min_element(before.begin(), before.end(),
     [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
@@ -170,7 +170,7 @@ void FrameBands::MakeRoom(std::size_t planned)
     (all - (this->HasRoomForBounds ? ofBounds : 0)) / std::max<std::size_t>(parts, 1);
 }
 
-/// True if the user's limit of memory is lower than that of bands that nobody asked for.
+/// True if the user's limit of memory is lower than the limit of bands that were not asked for.
 bool FrameBands::IsLimitedByUser() const
 {
   return this->RoomOfUser() < MostRoom(this->From.Bands.Key.View.Size);

@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  /// More halvings make no difference in double precision.
+  /// Most halvings of a way: more of them make no difference in double precision.
   static constexpr int MostHalvings = 40;
 
   /// Begin a rising way at a knot, unless it continues the present piece.

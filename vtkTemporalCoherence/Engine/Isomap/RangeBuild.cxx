@@ -31,7 +31,8 @@ constexpr double Doubt = 3.0;
 /// Groups that are built first as a sample for the estimate, if a part has fewer. Not tuned.
 constexpr std::size_t LeastTried = 64;
 
-/// Other bands make room for a range in steps of the memory limit divided by this. Not tuned.
+/// Other bands make room for a range in steps of the memory limit divided by this number, which is
+/// not tuned.
 constexpr std::size_t PartsOfRoom = 64;
 
 /// The bands of all groups, and the progress of building them.

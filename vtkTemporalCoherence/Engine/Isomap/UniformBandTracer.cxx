@@ -19,8 +19,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// True if the walk of a ray goes through a cell: CellWalk's answer, computed without walking. Of
-/// planes passed at one t, the plane of the lowest axis comes first.
+/// True if the walk of a ray goes through a cell: CellWalk's answer, computed without walking. If
+/// planes are passed at one t, the plane of the lowest axis comes first.
 bool IsOnWalk(const BatchRay& ray, const glm::ivec3& cell, const glm::ivec3& cells)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

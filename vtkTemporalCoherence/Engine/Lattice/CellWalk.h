@@ -215,7 +215,7 @@ private:
     const int first = ahead ? ends.x : ends.y, last = ahead ? ends.y : ends.x;
     const int cell = ray.CellAt(axis, t, ends.x, ends.y);
     const double enter = ray.Pass(axis, cell + 1 - ahead), leave = ray.Pass(axis, cell + ahead);
-    // Of planes passed at the same t, the one of the lowest axis comes first.
+    // If planes are passed at the same t, the plane of the lowest axis comes first.
     if (cell != first && (axis > exit ? enter >= t : enter > t))
     {
       return cell - step;

@@ -58,7 +58,7 @@ public:
   {
     if (this->Tracer && HasNormals(Key.Blended()))
     {
-      // Any isovalue serves: gradients do not depend on it.
+      // Gradients do not depend on the isovalue, so any value serves.
       const glm::dvec2& range = task.Structures.Pyramid().FiniteRange();
       const Field& field = FieldOfNormals(Key);
       this->Gradients.emplace(

@@ -34,8 +34,8 @@ struct FieldAbilities
   bool Isomaps = false; ///< it has a BandTracer, and its SurfaceTracer searches the cells of knots
   bool Samples = false; ///< it has samples at Field::Samples, from which value ranges are made
   bool TimeSteps = false; ///< fingerprints tell which samples changed
-  /// Its cells have any shape: hits name their cells, and it has no samples. It may end anywhere in
-  /// its box; solids are capped there.
+  /// Cells have any shape: hits name their cells, and the field has no samples. It may end anywhere
+  /// in its box; solids are capped there.
   bool IsMesh = false;
   /// False if the points of each cell lie in a plane: such a field shows nothing.
   bool HasVolume = true;

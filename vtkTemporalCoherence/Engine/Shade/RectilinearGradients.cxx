@@ -59,7 +59,7 @@ public:
       const glm::ivec3 place(points.Cell[0][i], points.Cell[1][i], points.Cell[2][i]);
       cells[i] = this->NumberOf(place, this->Tile.Surfaces[i]);
     }
-    // So that no lane of the last vector is uninitialised.
+    // Fill the last vector, so that no lane is uninitialised.
     std::fill(cells.begin() + static_cast<std::ptrdiff_t>(points.Count),
       cells.begin() + static_cast<std::ptrdiff_t>(WholeVectors(points.Count)), 0);
     GradientKernels::InterpolateInGrid(
@@ -209,7 +209,7 @@ public:
     }
     for (RayBatch::Array<double>& along : this->Tile.Gradients)
     {
-      // So that no lane of the last vector is uninitialised.
+      // Fill the last vector, so that no lane is uninitialised.
       std::fill(along.begin() + static_cast<std::ptrdiff_t>(count),
         along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), along[count - 1]);
     }

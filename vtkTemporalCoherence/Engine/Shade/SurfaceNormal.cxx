@@ -68,7 +68,7 @@ private:
     return { points.Cell[0][i], points.Cell[1][i], points.Cell[2][i] };
   }
 
-  /// So that no lane is uninitialised.
+  /// Fill the last vector, so that no lane is uninitialised.
   static void ClearLastVector(std::size_t count, Rows& rows)
   {
     const auto begin = static_cast<std::ptrdiff_t>(WholeVectors(count) - WidestVector);

@@ -108,7 +108,7 @@ MeshArray ArrayOf(const PointValues& values)
 
 void NoteValues(const GridLeaf& leaf, const DrawnComponent& component, MadeFrom& from)
 {
-  // As for images, writers of values may call Modified() of the array or of the data set.
+  // Programs that write values may call Modified() of the array or of the data set, as for images.
   from.Add(leaf.Array, leaf.Data->GetMTime());
   from.Add(leaf.OnCells ? 1.0 : 0.0);
   from.Add(component.Key());

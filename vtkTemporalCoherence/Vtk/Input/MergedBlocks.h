@@ -37,7 +37,7 @@ public:
   /// The merged image. Without drawable blocks it has no points.
   vtkImageData* Image() const { return this->Merged; }
 
-  /// Its array; null without drawable blocks.
+  /// The chosen array of Image(); null without drawable blocks.
   const ChosenScalars& Scalars() const { return this->Chosen; }
 
   void Release() { *this = MergedBlocks(); }

@@ -19,7 +19,7 @@ namespace
 /// Intervals between samples.
 constexpr std::size_t MostIntervals = 1 << 16;
 
-/// Of all, the intervals at an end in which the function goes over to its farther end.
+/// Intervals at each end, among MostIntervals, in which the function goes over to its farther end.
 constexpr std::size_t IntervalsOfEnd = MostIntervals / 16;
 
 /// Clamp a number to [0, 1]. Valid nodes may give NaN, for example by logarithms of negative

@@ -125,7 +125,7 @@ private:
   CellDivider Divider;
   std::int32_t Next;
   SharedPoints::Name Name;
-  // Of the points of a cell:
+  // One entry for each point of a cell:
   std::vector<SharedPoints::Key> Keys;
   std::vector<bool> AreInside;
   std::vector<std::int32_t> Numbers;

@@ -50,7 +50,7 @@ public:
   {
   }
 
-  /// As SurfaceTracer::SearchCells.
+  /// Search one cell for each ray; implements SurfaceTracer::SearchCells.
   SearchedCells Search(const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
 
 private:

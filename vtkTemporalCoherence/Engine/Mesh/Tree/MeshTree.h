@@ -56,7 +56,7 @@ public:
   std::shared_ptr<const MeshTree> Refit(const std::shared_ptr<const Mesh>& mesh,
     const ReportProgress& progress, MeshProblem& problem) const;
 
-  /// This tree with the values of another mesh. Nothing is read.
+  /// Make a copy of this tree for the values of another mesh. Reads nothing.
   /// \pre the mesh has equal cells and points: CellStamp and PointStamp
   std::shared_ptr<const MeshTree> WithValuesOf(const std::shared_ptr<const Mesh>& mesh) const;
 

@@ -492,7 +492,7 @@ private:
   float PerScale; ///< from t of the beam to t of rays
   EvenShader<Colors> Shader;
 
-  // Of the present leaf.
+  // Work on the present leaf:
   std::size_t NumberOfCells = 0, NumberOfVectors = 0;
   std::array<VolumeCell, CellsOfLeaf> Cells;
   std::array<std::uint8_t, LeafSums::Slots / hn::MaxLanes(Floats())> RaysOf;

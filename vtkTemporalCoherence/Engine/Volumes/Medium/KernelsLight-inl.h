@@ -70,7 +70,7 @@ HWY_INLINE void MakeUnit(V vector[3])
 {
   const hn::DFromV<V> d;
   const V square = Dot(vector, vector);
-  // Neither tiny nor huge nor NaN.
+  // False for vectors that are tiny, huge or NaN.
   const auto isLong =
     hn::And(hn::Gt(square, hn::Set(d, 1e-30f)), hn::Lt(square, hn::Set(d, 1e30f)));
   const V perLength = InverseRoot(square);

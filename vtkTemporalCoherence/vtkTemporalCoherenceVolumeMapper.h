@@ -91,8 +91,8 @@ public:
   /**
    * Set/Get two settings of meshes. SmoothMeshNormals: off (default), normals are the gradients in
    * the cell that is hit, which shows facets; on, they are gradients averaged at the points.
-   * MeshMemoryLimit: the most memory to set up a mesh, in MiB. Curved cells are divided less to fit;
-   * a mesh that does not fit then is an error. Default: 0, no limit.
+   * MeshMemoryLimit: the most memory to set up a mesh, in MiB. Curved cells are divided less to
+   * fit; larger meshes are an error. Default: 0, no limit.
    */
   vtkSetMacro(SmoothMeshNormals, vtkTypeBool);
   vtkGetMacro(SmoothMeshNormals, vtkTypeBool);

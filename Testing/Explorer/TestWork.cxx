@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The Explorer answers while it reads and builds. Changes are undone, and what cannot be opened is
-// told.
+// The Explorer answers while it reads and builds. Changes can be undone, and a message says what
+// cannot be opened.
 
 #include "ExplorerTests.h"
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What files say is what is read of them: values, places, arrays; and what is refused is told why."""
+"""Files are read as they say: values, places, arrays. A file that is refused gets a sentence with the reason."""
 
 from __future__ import annotations
 

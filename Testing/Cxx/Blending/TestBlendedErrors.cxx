@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A mistake in a blended volume gets one error with its value and remedy, and the last picture
-// stays. What only surfaces have is refused in one sentence.
+// stays. Methods that only surfaces have are refused in one sentence.
 
 #include "BlendedScene.h"
 #include "Checks/EventCounter.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What frames of a moved camera promise: every picture is compared with the cold one.
+// Pictures of a moved camera keep the promise of their accuracy: each one is compared with the cold
+// picture.
 
 #include "Checks/Expect.h"
 #include "Checks/Skip.h"

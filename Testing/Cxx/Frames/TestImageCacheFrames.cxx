@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// When frames are made from the image cache, and what they tell of themselves.
+// Frames are made from the image cache when they should be, and their statistics say so.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"

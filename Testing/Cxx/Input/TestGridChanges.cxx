@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Grids that change: only what must is made again, nothing is stale, and set-up can be watched and
-// stopped.
+// When a grid changes, only what depends on the change is made again, nothing is stale, and set-up
+// can be watched and stopped.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"

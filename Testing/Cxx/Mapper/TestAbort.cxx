@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Frames tell how far they are and can be stopped. The last picture stays, and what is made next is
-// as if nothing had been.
+// Frames report progress and can be stopped. The last picture stays, and the next frame is as if
+// nothing had been stopped.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"

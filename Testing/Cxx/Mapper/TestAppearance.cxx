@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Numbers that no surface can look like are refused by name: one error, and the last valid picture
-// stays. Those that have no effect are not looked at, and the largest that are allowed still give
-// colours.
+// stays. Numbers without effect are not checked. The largest allowed ones still give colours.
 
 #include "Checks/Expect.h"
 #include "Scenes/Mistake.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// An empty picture whose reason is known tells it once.
+// If the reason for an empty picture is known, one warning gives it.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

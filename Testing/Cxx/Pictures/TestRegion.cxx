@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the mapper's clipping planes and cropping leave of a volume: each picture against brute
-// force on the pieces of each ray, caps with the normals of the planes, and every route.
+// The mapper's clipping planes and cropping cut a volume. Each picture, by every route, agrees with
+// brute force on the pieces of each ray, and caps have the normals of the planes.
 
 #include "Checks/Expect.h"
 #include "Scenes/Subject.h"

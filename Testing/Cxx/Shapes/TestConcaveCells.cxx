@@ -3,7 +3,7 @@
 
 // Linear cells made of concave polyhedra fill the polyhedron once and do not leave it. Neighbours
 // share all points of their faces, however these are given. Cells that cannot be divided so are
-// told.
+// reported.
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"

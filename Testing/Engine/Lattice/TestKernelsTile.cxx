@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What vectors do for the rays of a tile on its way into the planes of a frame has the bits of the
-// same done one by one.
+// Work on a tile's rays in vectors, on their way into the planes of the frame, has the bits of the
+// same work done one by one.
 
 #include "EachTarget.h"
 #include "Grid.h"

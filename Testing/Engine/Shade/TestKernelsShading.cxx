@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What vectors make of hits has the bits of the formulas written out one by one.
+// Shading of hits in vectors has the bits of the formulas written out one by one.
 
 #include "EachTarget.h"
 #include "Grid.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A defect of a mesh is told with its cell, and what does no harm is not told. Trees keep to limits
-// of cells and memory, and can be stopped while they are built.
+// A defect of a mesh is reported with its cell, and harmless peculiarities are not. Trees keep to
+// limits of cells and memory, and can be stopped while they are built.
 
 #include "MeshTrees.h"
 

@@ -50,7 +50,7 @@ public:
   {
   }
 
-  /// Search one cell for each ray; implements SurfaceTracer::SearchCells.
+  /// Search only the given cells; implements SurfaceTracer::SearchCells.
   SearchedCells Search(const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
 
 private:

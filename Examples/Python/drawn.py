@@ -80,12 +80,19 @@ def _first_component(array: vtkDataArray) -> numpy.ndarray:
     return vtk_to_numpy(values)
 
 
+def _dimensions(data: vtkDataSet) -> list[int]:
+    """Of an image or a grid. In VTK 9.6 only this form works for both."""
+    dimensions = [0, 0, 0]
+    data.GetDimensions(dimensions)
+    return dimensions
+
+
 def _sums(data: vtkDataSet, of_cells: numpy.ndarray) -> numpy.ndarray:
     """Of each point, the sum over the cells around it."""
     if isinstance(data, vtkUnstructuredGrid):
         owners, points = _owners_and_points(data)
         return numpy.bincount(points, of_cells[owners], data.GetNumberOfPoints())
-    nx, ny, nz = data.GetDimensions()
+    nx, ny, nz = _dimensions(data)
     sums = numpy.zeros((nz, ny, nx), of_cells.dtype)
     for corner in _corners(nx, ny, nz):
         sums[corner] += of_cells.reshape(nz - 1, ny - 1, nx - 1)
@@ -97,7 +104,7 @@ def _touch(data: vtkDataSet, points: numpy.ndarray) -> numpy.ndarray:
     if isinstance(data, vtkUnstructuredGrid):
         owners, corners = _owners_and_points(data)
         return numpy.bincount(owners, points[corners], data.GetNumberOfCells()) > 0
-    nx, ny, nz = data.GetDimensions()
+    nx, ny, nz = _dimensions(data)
     touch = numpy.zeros(data.GetNumberOfCells(), bool)
     for corner in _corners(nx, ny, nz):
         touch |= points.reshape(nz, ny, nx)[corner].ravel()

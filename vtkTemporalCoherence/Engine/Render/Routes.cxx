@@ -106,7 +106,7 @@ void ShadeAgain(FrameTask& task)
     FrameKey key = task.Key;
     const TileShader shader(
       ShadeSceneOf(task, SpaceOfMerged(task, last.Picture)), HitSet::None, HitSet::All);
-    std::swap(last.Key, key); // nothing from here on allocates
+    last.Key = std::move(key); // nothing from here on allocates
     std::mutex guard;
     ParallelForRanges(NumberOfTiles(last.Picture.Size), TileGrain,
       [&](std::int64_t begin, std::int64_t end)

@@ -42,6 +42,9 @@ PictureSettings SettingsOf(Mapper* mapper)
   settings.SampleDistance =
     mapper->GetFixedStepSampling() ? static_cast<double>(mapper->GetSampleDistance()) : 0.0;
   settings.AveragedGradients = mapper->GetSmoothMeshNormals() != 0;
+  settings.IsOccluded = mapper->GetAmbientOcclusion() != 0;
+  settings.Occlusion = { mapper->GetAmbientOcclusionRadius(),
+    mapper->GetAmbientOcclusionStrength() };
   settings.MeshMemoryLimit = static_cast<std::size_t>(mapper->GetMeshMemoryLimit()) << 20;
   return settings;
 }
@@ -61,6 +64,8 @@ FrameRenderer::Options OptionsOf(Mapper* mapper)
     : ImageCachePolicy::Latest;
   options.Images.KeyImageInterval = mapper->GetKeyImageInterval();
   options.Images.NumberOfImages = mapper->GetNumberOfCachedImages();
+  options.Light.RaysOfFrame = static_cast<std::uint32_t>(mapper->GetAmbientOcclusionRays());
+  options.Light.RaysWhenStill = 32 * options.Light.RaysOfFrame;
   options.Map.Range = { mapper->GetIsomapRange()[0], mapper->GetIsomapRange()[1] };
   options.Map.Tolerance = mapper->GetIsomapTolerance();
   options.Map.HasNormals = mapper->GetIsomapShading() == Mapper::INTERPOLATE;

@@ -23,6 +23,7 @@ set(engine_files
   Lattice/BeamChoice
   Lattice/KernelsBeam
   Lattice/KernelsBeamSetUp
+  Lattice/KernelsBlocked
   Lattice/KernelsCellValues
   Lattice/KernelsCorners
   Lattice/KernelsCrossing
@@ -49,6 +50,11 @@ set(engine_files
   Shade/KernelsShading
   Shade/KnownLayers
   Shade/LayerShader
+  Shade/Light/LightCache
+  Shade/Light/LightDirections
+  Shade/Light/OcclusionTracer
+  Shade/Light/PatchPlace
+  Shade/Light/SurfaceLight
   Shade/LimitedLayers
   Shade/RecoloredLayers
   Shade/RectilinearGradients

@@ -67,6 +67,12 @@ bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
 }
 
 //------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::GetFrameIsFinal()
+{
+  return this->Internal->Frames.Statistics().IsFinal;
+}
+
+//------------------------------------------------------------------------------
 vtkTemporalCoherenceStatistics* vtkTemporalCoherenceVolumeMapper::GetStatistics()
 {
   using TemporalCoherence::Route;

@@ -60,6 +60,20 @@ void vtkTemporalCoherenceVolumeMapper::SetReuseAccuracy(int accuracy)
 }
 
 //------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetAmbientOcclusionRadius(double radius)
+{
+  this->Internal->SetWithin(
+    "AmbientOcclusionRadius", radius, 0.0, VTK_DOUBLE_MAX, this->AmbientOcclusionRadius);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetAmbientOcclusionStrength(double strength)
+{
+  this->Internal->SetWithin(
+    "AmbientOcclusionStrength", strength, 0.0, 1.0, this->AmbientOcclusionStrength);
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetIsomapTolerance(double voxels)
 {
   this->Internal->SetWithin("IsomapTolerance", voxels, 0.0, VTK_DOUBLE_MAX, this->IsomapTolerance);
@@ -95,6 +109,10 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VectorComponent: " << this->VectorComponent << endl;
   os << indent << "SmoothMeshNormals: " << this->SmoothMeshNormals << endl;
   os << indent << "MeshMemoryLimit: " << this->MeshMemoryLimit << endl;
+  os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << endl;
+  os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << endl;
+  os << indent << "AmbientOcclusionStrength: " << this->AmbientOcclusionStrength << endl;
+  os << indent << "AmbientOcclusionRays: " << this->AmbientOcclusionRays << endl;
   os << indent << "ReuseFrames: " << this->ReuseFrames << endl;
   os << indent << "Isomap: " << this->Isomap << endl;
   os << indent << "ReuseAccuracy: " << this->ReuseAccuracy << endl;

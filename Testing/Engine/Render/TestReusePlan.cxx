@@ -34,6 +34,16 @@ TEST(ReusePlan, NothingChanged)
   EXPECT_EQ(Plan(BaseKey()), Route::Redisplay);
 }
 
+TEST(ReusePlan, LightGoesOn)
+{
+  HeldForReuse held;
+  held.IsLightFinal = false;
+  EXPECT_EQ(Plan(BaseKey(), {}, held), Route::Reshade);
+  FrameKey key = BaseKey();
+  key.Samples.Stamp = 2;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold);
+}
+
 TEST(ReusePlan, AppearanceChanged)
 {
   FrameKey key = BaseKey();

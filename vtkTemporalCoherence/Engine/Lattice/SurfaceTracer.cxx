@@ -33,6 +33,19 @@ struct RestOfRays
 
 }
 
+std::uint64_t SurfaceTracer::FindBlocked(const RayBatch& rays, std::int64_t& cellsRead) const
+{
+  HitBatch hits;
+  this->Trace(rays, hits);
+  cellsRead += hits.CellsRead;
+  std::uint64_t blocked = 0;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    blocked |= static_cast<std::uint64_t>(hits.Kind[ray] != HitKind::None) << ray;
+  }
+  return blocked;
+}
+
 void SurfaceTracer::FindNext(const RayBatch& rays, HitBatch& hits) const
 {
   hits.Clear(rays.Count);

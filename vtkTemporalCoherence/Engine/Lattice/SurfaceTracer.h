@@ -72,6 +72,13 @@ public:
   /// Find the first surface along each ray. Thread-safe.
   virtual void Trace(const RayBatch& rays, HitBatch& hits) const = 0;
 
+  /// Find the rays that meet any surface, when all surfaces are opaque. Thread-safe. By default by
+  /// Trace.
+  /// \param rays      arrays are filled up to the end of the last vector
+  /// \param cellsRead grows by the number of cells that were read
+  /// \return one bit for each ray that does
+  virtual std::uint64_t FindBlocked(const RayBatch& rays, std::int64_t& cellsRead) const;
+
   /// Find the next surface along each ray, behind the one in `hits`; without one, the first.
   /// Thread-safe.
   ///

@@ -5,6 +5,7 @@
 #include "Lattice/BeamChoice.h"
 #include "Lattice/CellBeam.h"
 #include "Lattice/CellLayerBeam.h"
+#include "Lattice/KernelsBlocked.h"
 #include "Lattice/KernelsCorners.h"
 #include "Lattice/KernelsCrossing.h"
 #include "Lattice/KernelsRays.h"
@@ -153,6 +154,7 @@ template <typename T, Interpolation Between>
 class UniformTracer final
   : public LayerBeamTracer<T, UniformCells<T>, Between>
   , private LeafSource
+  , private VectorCellReader<RealOf<T>>
 {
 public:
   using Real = RealOf<T>;
@@ -184,6 +186,19 @@ public:
     {
       this->TraceAll(rays, hits);
     }
+  }
+
+  std::uint64_t FindBlocked(const RayBatch& rays, std::int64_t& cellsRead) const override
+  {
+    if (Between == Interpolation::Nearest || !this->Cells.Scene.Active ||
+      this->Cells.Rules.AreCappedBehindHidden())
+    {
+      return Base::FindBlocked(rays, cellsRead);
+    }
+    return TemporalCoherence::FindBlocked(
+      { { *this->Cells.Scene.Active, *this, this->Cells.Count }, *this,
+        this->Cells.Differences.size(), this->Cells.Rules.IsSolid() },
+      rays, cellsRead);
   }
 
   SearchedCells SearchCells(
@@ -238,6 +253,21 @@ private:
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
   {
     return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
+  }
+
+  void Read(std::size_t surface, VectorCells<Real>& cells) const override
+  {
+    const Difference<T> difference = this->Cells.Differences[surface];
+    ForEachRay(cells.Which,
+      [&](std::size_t lane)
+      {
+        const std::array<T, 8> samples = this->Cells.Samples.Read(
+          glm::ivec3(cells.Cell[0][lane], cells.Cell[1][lane], cells.Cell[2][lane]));
+        for (std::size_t corner = 0; corner < 8; ++corner)
+        {
+          cells.Corners[corner][lane] = difference(samples[corner]);
+        }
+      });
   }
 
   /// Walk from active cell to active cell: each round takes every ray without a hit to its next

@@ -8,6 +8,7 @@
 #include "Isomap/Isomap.h"
 #include "Render/LayerLimit.h"
 #include "Render/ReusePlan.h"
+#include "Shade/Light/SurfaceLight.h"
 
 namespace TemporalCoherence
 {
@@ -23,6 +24,7 @@ struct FrameOptions
   ImageCache::Options Images;
   Isomap::Options Map;
   LayerOptions Layers;
+  LightOptions Light;
   bool ReportsTiles = false; ///< trace tiles in parts, with a progress report before each part
 };
 

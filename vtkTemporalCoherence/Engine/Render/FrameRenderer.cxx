@@ -33,11 +33,15 @@ bool FrameRenderer::Render(
       this->Map.Trim(options.Map.MemoryLimit);
       key = this->Prepare(asked);
     }
-    FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
+    FrameTask task{ key, options, this->Store, this->Structures, statistics, nullptr, report };
 
     // The changes and the available data determine the route.
     const std::shared_ptr<CachedImage> nearest = this->Store.FindNearest(key, options);
     Route route = this->ChooseRoute(key, options, nearest != nullptr);
+
+    // Some rays find the light of the surfaces.
+    const std::unique_ptr<SurfaceLight> light = this->BeginLight(task, route);
+    task.Light = light.get();
 
     // One function makes the frame. If it is stopped or runs out of memory, the last frame is
     // unchanged.
@@ -46,10 +50,40 @@ bool FrameRenderer::Render(
       return false;
     }
     this->Finish(route, task);
+    if (light)
+    {
+      statistics.IsFinal = light->IsFinal();
+      this->Light.Add(light->Found(), options.Light.MemoryLimit);
+    }
   }
   this->TimeToBuild = statistics.IsomapBuildTime;
   this->OfLastFrame = statistics;
   return true;
+}
+
+/// Prepare the rays that find the light of the next frame's surfaces; null if none are needed.
+std::unique_ptr<SurfaceLight> FrameRenderer::BeginLight(const FrameTask& task, Route route)
+{
+  const FrameKey& key = task.Key;
+  if (!key.Appearance.Occlusion.IsOn() || !key.Appearance.Shade ||
+    key.Isosurfaces().Isovalues.empty() || !key.Samples.HasCells() || route == Route::Redisplay)
+  {
+    return nullptr;
+  }
+  this->Light.Follow(key);
+  const bool leaps = task.Options.SpaceLeaping;
+  if (leaps)
+  {
+    task.Structures.PrepareActiveCells(key);
+  }
+  const glm::dvec2 finite = task.Structures.Pyramid().FiniteRange();
+  const bool isStill =
+    route == Route::Reshade && !CompareFrames(task.Store.Last().Key, key).Appearance;
+  const LightOptions& options = task.Options.Light;
+  return std::make_unique<SurfaceLight>(key, KindOf(key.Samples), finite,
+    MakeSurfaceTracer({ key.Samples, key.Isosurfaces(), finite,
+      task.Structures.SpaceToLeap(leaps).Active, false, Traversal::Walks }),
+    this->Light, isStill ? options.RaysWhenStill : options.RaysOfFrame, options.Rays, !isStill);
 }
 
 /// Take a route. If the route proves impossible, take the next best and update `route`.
@@ -116,6 +150,7 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   held.IsIsomapExact = this->Map.Built().Tolerance() == 0.0 && !options.Map.HasNormals;
   held.Isomap = this->Map.Covers(key, options.Map);
   held.ShareToTrace = this->Changes.ShareToTrace();
+  held.IsLightFinal = this->OfLastFrame.IsFinal;
   held.Values = !last.Picture.Met.empty();
   ReuseSwitches switches = options.Reuse;
   // A picture from an isomap does not serve a request with another tolerance.

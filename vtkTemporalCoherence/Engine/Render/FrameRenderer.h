@@ -79,6 +79,7 @@ private:
   void FollowSamples(const FrameKey& key);
   void PrepareRanges(const FrameKey& key);
   Route ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const;
+  std::unique_ptr<SurfaceLight> BeginLight(const FrameTask& task, Route route);
   bool Make(Route& route, FrameTask& task, CachedImage* nearest);
   bool BuildAndLookUp(Route& route, FrameTask& task);
   bool LookUpIsomap(Route& route, FrameTask& task);
@@ -89,6 +90,7 @@ private:
   FrameStructures Structures;
   SampleComparer Changes; ///< from the samples of the last frame to those of the next
   IsomapBuilder Map;      ///< of the view in which isovalues last changed
+  LightCache Light;       ///< of the surfaces that frames showed
   KnotForm LastForm;      ///< as requested for the last frame
   std::vector<std::uint64_t> UnresolvedRays; ///< memory of LookUp
   FrameStatistics OfLastFrame;

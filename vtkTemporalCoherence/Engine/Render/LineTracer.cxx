@@ -46,7 +46,7 @@ std::optional<LineHit> TraceLine(
   TileHits found;
   TraceCounts counts = tracer.Trace(0, pixel, frame, found);
   // Shade, so that surfaces made invisible by gradient opacity are not picked.
-  TileShader(ShadeSceneOf(key, finiteRange, {}), HitSet::All, HitSet::All)
+  TileShader(ShadeSceneOf(key, finiteRange, {}, nullptr), HitSet::All, HitSet::All)
     .Shade(0, pixel, nullptr, frame, counts);
   if (frame.Isovalues[0] == Frame::NoSurface)
   {

@@ -87,7 +87,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   const bool isSame = !change.Data && !change.View && !change.Surfaces && !change.Opacity;
   if (isSame && (held.IsExact || !switches.RefineWhenStill))
   {
-    return change.Appearance ? Route::Reshade : Route::Redisplay;
+    return change.Appearance || !held.IsLightFinal ? Route::Reshade : Route::Redisplay;
   }
   if (switches.Frames && KnowsLayers(change, next, held))
   {

@@ -44,6 +44,7 @@ struct HeldForReuse
   bool IsIsomapExact = true;  ///< the isomap gives the cold picture
   bool CanBuildIsomap = true; ///< data and memory allow one
   double ShareToTrace = 1.0;  ///< share of the tiles that changed samples affect; 1 if unknown
+  bool IsLightFinal = true;   ///< more rays would not change the light of the last picture
   bool Values = false;        ///< the last frame keeps the values that a projection's rays met
 };
 

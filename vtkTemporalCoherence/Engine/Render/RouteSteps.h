@@ -47,7 +47,7 @@ inline TileScene SceneOf(const FrameTask& task, const LeapedSpace& space, const 
 
 inline ShadeScene ShadeSceneOf(const FrameTask& task, const LeapedSpace& space)
 {
-  return ShadeSceneOf(task.Key, task.Structures.Pyramid().FiniteRange(), space);
+  return ShadeSceneOf(task.Key, task.Structures.Pyramid().FiniteRange(), space, task.Light);
 }
 
 /// Call work(tile, part, frame) for all tiles of the frame.

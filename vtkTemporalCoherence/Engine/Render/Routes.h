@@ -24,6 +24,7 @@ struct FrameTask
   FrameStore& Store;
   FrameStructures& Structures; ///< with the value ranges of the key
   FrameStatistics& Statistics;
+  SurfaceLight* Light;   ///< that reaches the surfaces; null: all of it does
   ReportProgress Report; ///< called with the progress, if it is not null; may stop the frame
 };
 

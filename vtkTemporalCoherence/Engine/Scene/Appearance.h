@@ -23,6 +23,23 @@ struct Light
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 }; ///< constant, linear, quadratic in distance
 };
 
+/// Ambient occlusion: surfaces nearby keep light away from a point. Ambient and diffuse light are
+/// multiplied by 1 - Strength (1 - open), where `open` is the share of directions around the
+/// normal, weighted by their cosines, in which no drawn surface stops light within the radius. A
+/// translucent surface stops the share that is its opacity.
+struct AmbientOcclusion
+{
+  double Radius = 0.0;   ///< in the world; 0: no occlusion
+  double Strength = 1.0; ///< 0 to 1
+
+  bool IsOn() const { return this->Radius > 0.0; }
+};
+
+inline bool operator==(const AmbientOcclusion& a, const AmbientOcclusion& b)
+{
+  return a.Radius == b.Radius && a.Strength == b.Strength;
+}
+
 /// How hits become colours: VTK's Phong model, or the plain colour where `Shade` is false. All
 /// numbers are finite, and no product of a colour, a coefficient and a light leaves the range of
 /// floats.
@@ -39,6 +56,7 @@ struct Appearance
   bool TwoSided = true;
   /// The shown colour is scale * lit colour + shift, clamped to [0, 1].
   double ColorScale = 1.0, ColorShift = 0.0;
+  AmbientOcclusion Occlusion;
   bool ColorByAnswer = false; ///< yellow: pixels that the image cache did not serve
 };
 
@@ -54,7 +72,8 @@ inline bool operator==(const Appearance& a, const Appearance& b)
   return a.Colors == b.Colors && a.Shade == b.Shade && a.Ambient == b.Ambient &&
     a.Diffuse == b.Diffuse && a.Specular == b.Specular && a.SpecularPower == b.SpecularPower &&
     a.Lights == b.Lights && a.TwoSided == b.TwoSided && a.ColorScale == b.ColorScale &&
-    a.ColorShift == b.ColorShift && a.ColorByAnswer == b.ColorByAnswer;
+    a.ColorShift == b.ColorShift && a.Occlusion == b.Occlusion &&
+    a.ColorByAnswer == b.ColorByAnswer;
 }
 
 }

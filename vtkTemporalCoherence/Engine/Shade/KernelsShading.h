@@ -41,7 +41,7 @@ struct PhongSums
 {
   std::size_t Count = 0;
   Array<std::array<float, 3>> Normal;
-  std::array<Array<float>, 3> Color, Sum;
+  std::array<Array<float>, 3> Color, Sum; ///< Color: what diffuse light finds
 
   // One light:
   bool IsPositional = false;

@@ -43,26 +43,22 @@ void LayerShader::TakeHits(
   FillLastVector(count, hits.Rays.T);
 }
 
-void LayerShader::Shade(HitList& hits, ShadedLayer* shaded) const
+void LayerShader::Shade(std::int64_t tile, HitList& hits, ShadedLayer* shaded) const
 {
   const Surfaces& surfaces = this->Key.Isosurfaces();
-  const GradientOpacity& byGradient = surfaces.ByGradient;
   std::array<RayBatch::Array<double>, 3> gradients;
-  ComputeNormals(this->Source, hits, byGradient.Nodes.empty() ? nullptr : &gradients);
+  ComputeNormals(this->Source, hits, surfaces.ByGradient.Nodes.empty() ? nullptr : &gradients);
+  RayBatch::Array<float> open, alphas;
+  if (this->Light)
+  {
+    this->Light->Find(tile, hits, false, open);
+  }
   ShadingKernels::PhongSums sums;
-  SumLight(this->Key.Appearance, hits, sums);
+  SumLight(this->Key.Appearance, hits, this->Light ? &open : nullptr, sums);
+  FindOpacities(surfaces, gradients, hits, alphas);
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
-    double alpha = surfaces.Opacities.empty()
-      ? 1.0
-      : surfaces.Opacities[static_cast<std::size_t>(hits.Surface[i])];
-    if (!byGradient.Nodes.empty())
-    {
-      const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
-      alpha *= byGradient.At(glm::length(gradient * byGradient.PerStep));
-    }
-    shaded[i] = { { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, hits.Normal[i],
-      static_cast<float>(alpha) };
+    shaded[i] = { { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, hits.Normal[i], alphas[i] };
   }
 }
 

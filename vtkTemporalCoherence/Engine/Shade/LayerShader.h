@@ -7,9 +7,11 @@
 #include "Scene/LayerBatch.h"
 #include "Scene/TileHits.h"
 #include "Shade/LayerCanvas.h"
+#include "Shade/Light/SurfaceLight.h"
 #include "Shade/Shader.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace TemporalCoherence
 {
@@ -55,9 +57,11 @@ class LayerShader
 {
 public:
   /// The arguments must outlive it.
-  LayerShader(const FrameKey& key, const NormalSource& source)
+  /// \param light that reaches the surfaces; null: all of it does
+  LayerShader(const FrameKey& key, const NormalSource& source, SurfaceLight* light)
     : Key(key)
     , Source(source)
+    , Light(light)
   {
   }
 
@@ -70,11 +74,12 @@ public:
 
   /// Shade surfaces whose points are known.
   /// \param shaded result: one for each surface
-  void Shade(HitList& hits, ShadedLayer* shaded) const;
+  void Shade(std::int64_t tile, HitList& hits, ShadedLayer* shaded) const;
 
 private:
   const FrameKey& Key;
   const NormalSource& Source;
+  SurfaceLight* Light;
 };
 
 }

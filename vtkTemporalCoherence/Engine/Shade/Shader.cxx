@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/Shader.h"
 
+#include "Lattice/RegionClipper.h"
 #include "Shade/CapNormal.h"
 #include "Shade/SurfaceNormal.h"
 
@@ -137,7 +138,8 @@ void TurnOutside(const HitList& hits, ShadingKernels::PhongSums& sums)
 }
 
 /// Colours of hits without any light.
-void BeginSums(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums)
+void BeginSums(const Appearance& appearance, const HitList& hits, const Array<float>* open,
+  ShadingKernels::PhongSums& sums)
 {
   const auto ambient = static_cast<float>(appearance.Shade ? appearance.Ambient : 1.0);
   sums.Count = hits.Rays.Count;
@@ -163,6 +165,10 @@ void BeginSums(const Appearance& appearance, const HitList& hits, ShadingKernels
         sums.Color[a][i] = static_cast<float>(color[axis]);
       }
       FillLastVector(sums.Count, sums.Color[a]);
+    }
+    for (std::size_t i = 0; open && i < WholeVectors(sums.Count); ++i)
+    {
+      sums.Color[a][i] *= (*open)[i];
     }
     for (std::size_t i = 0; i < WholeVectors(sums.Count); ++i)
     {
@@ -238,6 +244,15 @@ void ScaleSums(const Appearance& appearance, ShadingKernels::PhongSums& sums)
 
 }
 
+NormalSource NormalSourceOf(
+  const FrameKey& key, const FieldNormals& normals, const glm::dvec2& finiteRange)
+{
+  const RegionClipper clipper(key.Region, key.Transform);
+  return { key.Samples, normals, key.Transform,
+    CapPlanes(clipper.Planes(), key.Transform, key.View), key.Isosurfaces().Isovalues,
+    finiteRange };
+}
+
 void ComputeNormals(
   const NormalSource& source, HitList& hits, std::array<Array<double>, 3>* gradientsFound)
 {
@@ -277,9 +292,28 @@ void LoadNormals(const Frame& frame, HitList& hits)
   }
 }
 
-void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums)
+void FindOpacities(const Surfaces& surfaces, const std::array<Array<double>, 3>& gradients,
+  const HitList& hits, Array<float>& opacities)
 {
-  BeginSums(appearance, hits, sums);
+  const GradientOpacity& byGradient = surfaces.ByGradient;
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    double alpha = surfaces.Opacities.empty()
+      ? 1.0
+      : surfaces.Opacities[static_cast<std::size_t>(hits.Surface[i])];
+    if (!byGradient.Nodes.empty())
+    {
+      const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
+      alpha *= byGradient.At(glm::length(gradient * byGradient.PerStep));
+    }
+    opacities[i] = static_cast<float>(alpha);
+  }
+}
+
+void SumLight(const Appearance& appearance, const HitList& hits, const Array<float>* open,
+  ShadingKernels::PhongSums& sums)
+{
+  BeginSums(appearance, hits, open, sums);
   if (appearance.Shade)
   {
     for (const Light& light : appearance.Lights)
@@ -293,21 +327,22 @@ void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels:
   }
 }
 
-void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame)
+void ShadeHits(
+  const Appearance& appearance, const HitList& hits, const Array<float>* open, Frame& frame)
 {
   if (hits.Rays.Count == 0)
   {
     return;
   }
   Array<std::array<std::uint8_t, 4>> colors;
-  if (IsLitSimply(appearance))
+  if (!open && IsLitSimply(appearance))
   {
     ShadingKernels::FindColors(hits.Rays, hits.Normal, LightOf(appearance), colors);
   }
   else
   {
     ShadingKernels::PhongSums sums;
-    SumLight(appearance, hits, sums);
+    SumLight(appearance, hits, open, sums);
     ShadingKernels::RoundColors(sums, colors);
   }
   StoreToPlane(hits, colors, frame.Colors);

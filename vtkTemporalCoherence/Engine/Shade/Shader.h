@@ -6,7 +6,9 @@
 #include "Scene/Appearance.h"
 #include "Scene/Field.h"
 #include "Scene/Frame.h"
+#include "Scene/FrameKey.h"
 #include "Scene/RayBatch.h"
+#include "Scene/Surfaces.h"
 #include "Scene/TileHits.h"
 #include "Scene/Tiles.h"
 #include "Scene/View.h"
@@ -59,6 +61,12 @@ struct NormalSource
   glm::dvec2 FiniteRange{ 0.0 };
 };
 
+/// The source of the normals of a key's isosurfaces.
+/// \param normals     of the key's field, which must outlive the result
+/// \param finiteRange smallest and largest finite sample
+NormalSource NormalSourceOf(
+  const FrameKey& key, const FieldNormals& normals, const glm::dvec2& finiteRange);
+
 /// Gather the hits of a part of at most RayBatch::Capacity pixels, and clear the normals and
 /// colours of misses.
 /// \param withDefiniteHits false: skip definite hits, whose colours are known already
@@ -84,17 +92,27 @@ void ComputeNormals(const NormalSource& source, HitList& hits,
 void StoreNormals(const HitList& hits, Frame& frame);
 void LoadNormals(const Frame& frame, HitList& hits);
 
+/// Find the opacities of hits.
+/// \param gradients of the field, per index step, if opacities depend on them
+void FindOpacities(const Surfaces& surfaces,
+  const std::array<RayBatch::Array<double>, 3>& gradients, const HitList& hits,
+  RayBatch::Array<float>& opacities);
+
 /// Find the colours of hits from their positions and normals.
 ///
 /// VTK's Phong model: ambient light is the surface's own colour; each light adds a diffuse term
 /// max(0, N.L) and a specular term max(0, R.V)^power, where R is the light mirrored at the normal
 /// (vtkVolumeShaderComposer of VTK 9.2 and later). Normals face the viewer, as for polygons; if
 /// lighting is one-sided, they face outside.
-void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums);
+///
+/// \param open the share of ambient and diffuse light that reaches each hit; null: all of it
+void SumLight(const Appearance& appearance, const HitList& hits, const RayBatch::Array<float>* open,
+  ShadingKernels::PhongSums& sums);
 
 /// Find the colours of hits as SumLight does, and write them as opaque colours of a frame. Pixels
 /// are yellow where the appearance asks for it.
-void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame);
+void ShadeHits(const Appearance& appearance, const HitList& hits,
+  const RayBatch::Array<float>* open, Frame& frame);
 
 /// Paint the hits that a cached image did not serve yellow, if the appearance asks for it.
 void PaintAnswers(const Appearance& appearance, const HitList& hits, Frame& frame);

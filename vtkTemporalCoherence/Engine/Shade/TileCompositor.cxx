@@ -50,9 +50,9 @@ void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
 }
 
 TileCompositor::TileCompositor(const FrameKey& key, const NormalSource& source,
-  std::shared_ptr<const SurfaceTracer> tracer, const TileBounds* bounds)
+  std::shared_ptr<const SurfaceTracer> tracer, const TileBounds* bounds, SurfaceLight* light)
   : Key(key)
-  , Shader(key, source)
+  , Shader(key, source, light)
   , Bounds(bounds)
   , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
   , Tracer(std::move(tracer))
@@ -121,7 +121,7 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
     centres.Find(this->Key.View, part); // other rays begin at one point
   }
   LayerCanvas canvas(part, frame);
-  this->AddAll(*found, centres, canvas, kept, counts);
+  this->AddAll(tile, *found, centres, canvas, kept, counts);
   kept.Finish();
   if (behind)
   {
@@ -138,15 +138,15 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
 /// are opaque.
 /// \param kept takes the layers
 template <typename Keeper>
-void TileCompositor::AddAll(TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
-  Keeper& kept, TraceCounts& counts) const
+void TileCompositor::AddAll(std::int64_t tile, TileHits& found, const PixelCentres& centres,
+  LayerCanvas& canvas, Keeper& kept, TraceCounts& counts) const
 {
-  this->AddLayers(found, centres, canvas, kept);
+  this->AddLayers(tile, found, centres, canvas, kept);
   while (found.Layers.BeginNext(static_cast<std::size_t>(found.Rays.Count), canvas.Transmittance()))
   {
     FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, found.Layers);
     counts.CellsRead += found.Layers.CellsRead;
-    this->AddLayers(found, centres, canvas, kept);
+    this->AddLayers(tile, found, centres, canvas, kept);
   }
 }
 
@@ -160,9 +160,9 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part,
   PixelCentres centres;
   centres.Find(this->Key.View, part);
   LayerCanvas canvas(part, frame);
-  this->AddKnown(known.Composited(), centres, canvas, kept, behind.Hits);
+  this->AddKnown(tile, known.Composited(), centres, canvas, kept, behind.Hits);
   const std::size_t inOrder = layers.size();
-  this->AddKnown(known.Behind(), centres, canvas, kept, behind.Hits);
+  this->AddKnown(tile, known.Behind(), centres, canvas, kept, behind.Hits);
   const std::uint64_t open = canvas.Passing() & ~known.Ends();
   if (open != 0)
   {
@@ -190,8 +190,9 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part,
 
 /// Shade known layers, composite them behind the present ones, and keep them. Layers that no light
 /// reaches go to `behind`.
-void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCentres& centres,
-  LayerCanvas& canvas, LimitedLayers& kept, std::vector<LayerHit>& behind) const
+void TileCompositor::AddKnown(std::int64_t tile, const std::vector<LayerHit>& known,
+  const PixelCentres& centres, LayerCanvas& canvas, LimitedLayers& kept,
+  std::vector<LayerHit>& behind) const
 {
   const RayBatch::Array<float>& transmittance = canvas.Transmittance();
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
@@ -218,7 +219,7 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
     if (list.Count > 0)
     {
       FindHitRays(this->Key.View, hits);
-      this->Shader.Shade(hits, shaded.data());
+      this->Shader.Shade(tile, hits, shaded.data());
     }
     // A layer of the list may make its pixel opaque, and hide later layers.
     const std::uint64_t reached = canvas.Add(list);
@@ -253,14 +254,14 @@ void TileCompositor::AddUnknown(std::uint64_t open, const SetLast& setLast, std:
   FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, layers);
   counts.TracedRays += static_cast<std::int64_t>(hwy::PopCount(open));
   counts.CellsRead += layers.CellsRead;
-  this->AddAll(found, centres, canvas, kept, counts);
+  this->AddAll(tile, found, centres, canvas, kept, counts);
 }
 
 /// Shade surfaces, composite them behind the present ones, and keep them: round by round, and by
 /// pixel within a round.
 template <typename Keeper>
-void TileCompositor::AddLayers(
-  const TileHits& found, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept) const
+void TileCompositor::AddLayers(std::int64_t tile, const TileHits& found,
+  const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept) const
 {
   const LayerBatch& layers = found.Layers;
   LayerBatch::List<ShadedLayer> shaded;
@@ -268,7 +269,7 @@ void TileCompositor::AddLayers(
   {
     HitList hits;
     this->Shader.TakeHits(found, centres, first, hits);
-    this->Shader.Shade(hits, shaded.data() + first);
+    this->Shader.Shade(tile, hits, shaded.data() + first);
   }
   // A round contains the rays that have a further layer, and let light pass.
   const auto count = static_cast<std::size_t>(found.Rays.Count);
@@ -340,7 +341,7 @@ void TileCompositor::CompositeAgain(
     }
     PrefetchLayers(layers, next);
     FindHitRays(this->Key.View, hits);
-    this->Shader.Shade(hits, shaded.data());
+    this->Shader.Shade(tile, hits, shaded.data());
     canvas.Add(list);
     counts.Layers += static_cast<std::int64_t>(list.Count);
   }

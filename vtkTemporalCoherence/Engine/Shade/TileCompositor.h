@@ -31,9 +31,10 @@ public:
   /// The arguments must outlive it.
   /// \param tracer finds the layers behind the first ones
   /// \param bounds of the active cells that the tracer leaps between; null: no space leaping
+  /// \param light  that reaches the surfaces; null: all of it does
   /// \throws std::bad_alloc
   TileCompositor(const FrameKey& key, const NormalSource& source,
-    std::shared_ptr<const SurfaceTracer> tracer, const TileBounds* bounds);
+    std::shared_ptr<const SurfaceTracer> tracer, const TileBounds* bounds, SurfaceLight* light);
 
   /// Find and colour the layers behind the first hits of `part`, which is tile number `tile`. The
   /// planes then hold the first visible surface. Thread-safe.
@@ -57,12 +58,12 @@ private:
   void SetUpRays(std::int64_t tile, const PixelRect& part, TileHits& found) const;
   void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const;
   template <typename Keeper>
-  void AddAll(TileHits& found, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept,
-    TraceCounts& counts) const;
+  void AddAll(std::int64_t tile, TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
+    Keeper& kept, TraceCounts& counts) const;
   template <typename Keeper>
-  void AddLayers(
-    const TileHits& found, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept) const;
-  void AddKnown(const std::vector<LayerHit>& known, const PixelCentres& centres,
+  void AddLayers(std::int64_t tile, const TileHits& found, const PixelCentres& centres,
+    LayerCanvas& canvas, Keeper& kept) const;
+  void AddKnown(std::int64_t tile, const std::vector<LayerHit>& known, const PixelCentres& centres,
     LayerCanvas& canvas, LimitedLayers& kept, std::vector<LayerHit>& behind) const;
   template <typename Keeper, typename SetLast>
   void AddUnknown(std::uint64_t open, const SetLast& setLast, std::int64_t tile,

@@ -9,17 +9,15 @@ namespace TemporalCoherence
 
 TileShader::TileShader(const ShadeScene& scene, HitSet normalsOf, HitSet colorsOf)
   : Key(scene.Key)
-  , Source{ scene.Key.Samples, scene.Normals, scene.Key.Transform,
-    CapPlanes(RegionClipper(scene.Key.Region, scene.Key.Transform).Planes(), scene.Key.Transform,
-      scene.Key.View),
-    scene.Key.Isosurfaces().Isovalues, scene.FiniteRange }
+  , Source(NormalSourceOf(scene.Key, scene.Normals, scene.FiniteRange))
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)
+  , Light(scene.Light)
 {
   if (scene.Tracer)
   {
-    this->Compositor =
-      std::make_unique<TileCompositor>(scene.Key, this->Source, scene.Tracer, scene.Bounds);
+    this->Compositor = std::make_unique<TileCompositor>(
+      scene.Key, this->Source, scene.Tracer, scene.Bounds, scene.Light);
   }
 }
 
@@ -66,7 +64,12 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found
     GatherHits(this->Key.View, part, this->ColorsOf == HitSet::All, frame, hits);
     LoadNormals(frame, hits);
   }
-  ShadeHits(this->Key.Appearance, hits, frame);
+  RayBatch::Array<float> arriving;
+  if (this->Light)
+  {
+    counts.CellsRead += this->Light->Find(tile, hits, true, arriving);
+  }
+  ShadeHits(this->Key.Appearance, hits, this->Light ? &arriving : nullptr, frame);
   ClearMisses(hits, frame);
 }
 

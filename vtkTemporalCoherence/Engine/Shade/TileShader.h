@@ -31,7 +31,8 @@ struct ShadeScene
   glm::dvec2 FiniteRange{ 0.0 };               ///< smallest and largest finite sample
   std::shared_ptr<const SurfaceTracer> Tracer; ///< of translucent surfaces; else null
   const TileBounds* Bounds =
-    nullptr; ///< of the active cells that the tracer leaps between; or null
+    nullptr;                     ///< of the active cells that the tracer leaps between; or null
+  SurfaceLight* Light = nullptr; ///< that reaches the surfaces; null: all of it does
 };
 
 /// Shades tiles: normals and colours of hits and, if surfaces are translucent, of the layers
@@ -57,6 +58,7 @@ private:
   const FrameKey& Key;
   NormalSource Source;
   HitSet NormalsOf, ColorsOf;
+  SurfaceLight* Light;
   std::unique_ptr<TileCompositor> Compositor; ///< null: all surfaces are opaque
 };
 

@@ -55,6 +55,35 @@ bool SpreadColors(const PictureSettings& settings, Appearance& appearance, std::
 
 }
 
+namespace
+{
+
+/// The length of the longest edge of a field, in the world.
+double LongestEdge(const FrameKey& key)
+{
+  double longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double edge = glm::length(glm::dvec3(key.Transform.WorldFromIndex[axis]));
+    longest = std::max(longest, (key.Samples.Dimensions[axis] - 1) * edge);
+  }
+  return longest;
+}
+
+/// Set the ambient occlusion of a key whose field is made.
+void SetOcclusion(const PictureSettings& settings, FrameKey& key)
+{
+  constexpr double defaultShare = 1.0 / 8.0;
+  if (settings.IsOccluded && key.Appearance.Shade && !key.IsBlended())
+  {
+    AmbientOcclusion& occlusion = key.Appearance.Occlusion;
+    occlusion = settings.Occlusion;
+    occlusion.Radius = occlusion.Radius > 0.0 ? occlusion.Radius : defaultShare * LongestEdge(key);
+  }
+}
+
+}
+
 bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& settings,
   vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error,
   const ReportProgress& report)
@@ -98,6 +127,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   const bool isMade =
     this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
   this->IsMakingField = false;
+  SetOcclusion(settings, key);
   if (isMade && isBlended)
   {
     // Empty without samples.

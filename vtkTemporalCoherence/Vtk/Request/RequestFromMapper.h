@@ -37,6 +37,8 @@ struct PictureSettings
   MaskSettings Mask;
   double SampleDistance = 0.0;     ///< of blended volumes, in the data's coordinates; 0: converged
   bool AveragedGradients = false;  ///< the setting SmoothMeshNormals
+  AmbientOcclusion Occlusion;      ///< a radius of 0 is an eighth of the longest edge
+  bool IsOccluded = false;         ///< Occlusion has an effect
   std::size_t MeshMemoryLimit = 0; ///< bytes for the set-up of a mesh; 0: no limit
 };
 

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_LitScene_h
+#define Testing_LitScene_h
+
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+
+#include <vector>
+
+/// A scene whose colours are what ambient occlusion leaves of white: 255 where all light arrives.
+struct LitScene : Scene
+{
+  LitScene(vtkDataSet* data, const std::vector<double>& isovalues)
+    : Scene(data, isovalues)
+  {
+    vtkVolumeProperty* property = this->Volume->GetProperty();
+    property->ShadeOn();
+    property->SetAmbient(1.0);
+    property->SetDiffuse(0.0);
+    property->SetSpecular(0.0);
+    vtkNew<vtkColorTransferFunction> white;
+    white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+    property->SetColor(white);
+    this->Mapper->AmbientOcclusionOn();
+  }
+
+  /// Render until the light is final. Each frame has as many rays as a frame may have.
+  void RenderFinal(int width, int height)
+  {
+    this->Mapper->SetAmbientOcclusionRays(64);
+    int frames = 0;
+    do
+    {
+      Expect(this->Render(width, height), "rendered");
+    } while (!this->Mapper->GetFrameIsFinal() && ++frames < 10);
+    Expect(this->Mapper->GetFrameIsFinal(), "the light is final");
+  }
+
+  /// The share of the light that arrives at a pixel.
+  double OpenAt(int x, int y) const { return this->ColorAt(x, y)[0] / 255.0; }
+  bool IsHitAt(int x, int y) const { return this->ColorAt(x, y)[3] != 0; }
+};
+
+#endif

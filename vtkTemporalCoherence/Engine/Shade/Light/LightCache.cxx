@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shade/Light/LightCache.h"
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+#include <iterator>
+#include <new>
+
+namespace TemporalCoherence
+{
+void LightCache::Follow(const FrameKey& key)
+{
+  const Surfaces& surfaces = key.Isosurfaces();
+  const double radius = key.Appearance.Occlusion.Radius;
+  if (!(this->Of.Samples == key.Samples) || !(this->Of.Transform == key.Transform) ||
+    !(this->Of.Region == key.Region) || !(this->Of.Isosurfaces == surfaces) ||
+    this->Of.Radius != radius)
+  {
+    this->Clear();
+    this->Of = { key.Samples, key.Transform, key.Region, surfaces, radius };
+  }
+}
+
+void LightCache::PrepareSlot(std::uint64_t hash) const
+{
+  if (!this->Slots.empty())
+  {
+    hwy::Prefetch(&this->Slots[hash & (this->Slots.size() - 1)]);
+  }
+}
+
+void LightCache::PrepareBlock(std::uint64_t hash, const PatchPlace& place) const
+{
+  if (this->Slots.empty())
+  {
+    return;
+  }
+  const std::uint32_t block = this->Slots[hash & (this->Slots.size() - 1)];
+  if (block != NoBlock)
+  {
+    hwy::Prefetch(&this->Blocks[block]);
+    hwy::Prefetch(&this->Lights[block][place.Patch]);
+  }
+}
+
+std::uint32_t LightCache::FindBlock(std::uint64_t hash, const PatchPlace& place) const
+{
+  if (this->Slots.empty())
+  {
+    return NoBlock;
+  }
+  const std::size_t mask = this->Slots.size() - 1;
+  for (std::size_t slot = hash & mask;; slot = (slot + 1) & mask)
+  {
+    const std::uint32_t block = this->Slots[slot];
+    if (block == NoBlock || AreTogether(this->Blocks[block].Place, place))
+    {
+      return block;
+    }
+  }
+}
+
+LightCache::Known LightCache::Find(std::uint64_t hash, const PatchPlace& place) const
+{
+  Known known;
+  known.Block = this->FindBlock(hash, place);
+  if (known.Block != NoBlock)
+  {
+    known.Own = this->Lights[known.Block][place.Patch];
+  }
+  std::uint32_t block = known.Block;
+  PatchPlace at = place;
+  for (LightSum& larger : known.Larger)
+  {
+    at = LargerThan(at);
+    block = block == NoBlock || this->Blocks[block].Larger == NoBlock
+      ? this->FindBlock(HashOfBlock(at), at)
+      : this->Blocks[block].Larger;
+    if (block != NoBlock)
+    {
+      larger = this->Lights[block][at.Patch];
+    }
+  }
+  return known;
+}
+
+void LightCache::Insert(std::uint32_t block)
+{
+  const std::size_t mask = this->Slots.size() - 1;
+  std::size_t slot = HashOfBlock(this->Blocks[block].Place) & mask;
+  while (this->Slots[slot] != NoBlock)
+  {
+    slot = (slot + 1) & mask;
+  }
+  this->Slots[slot] = block;
+}
+
+void LightCache::Resize(std::size_t slots)
+{
+  this->Slots.assign(slots, NoBlock);
+  for (std::uint32_t block = 0; block < this->Blocks.size(); ++block)
+  {
+    this->Insert(block);
+  }
+}
+
+/// The position of the block of a place. A new block is appended.
+std::uint32_t LightCache::ProvideBlock(const PatchPlace& place)
+{
+  const std::uint32_t known = this->FindBlock(HashOfBlock(place), place);
+  if (known != NoBlock)
+  {
+    return known;
+  }
+  constexpr std::size_t fewest = 1024;
+  if (2 * (this->Blocks.size() + 1) > this->Slots.size())
+  {
+    this->Resize(std::max(fewest, 2 * this->Slots.size()));
+  }
+  Block block{ place, NoBlock, this->Frames };
+  block.Place.Patch = 0;
+  this->Blocks.push_back(block);
+  this->Lights.emplace_back();
+  const auto at = static_cast<std::uint32_t>(this->Blocks.size() - 1);
+  this->Insert(at);
+  return at;
+}
+
+/// Add rays to the sums of a patch and of the larger patches around it.
+void LightCache::Add(const Found& found)
+{
+  PatchPlace place = found.Place;
+  std::uint32_t block = found.Block == NoBlock ? this->ProvideBlock(place) : found.Block;
+  for (std::size_t size = 0;; ++size)
+  {
+    this->Lights[block][place.Patch].Add(found.Rays, found.Light);
+    this->Blocks[block].LastSeen = this->Frames;
+    if (size == LargerSizes)
+    {
+      return;
+    }
+    place = LargerThan(place);
+    if (this->Blocks[block].Larger == NoBlock)
+    {
+      const std::uint32_t larger = this->ProvideBlock(place); // may move the blocks
+      this->Blocks[block].Larger = larger;
+    }
+    block = this->Blocks[block].Larger;
+  }
+}
+
+void LightCache::Add(const std::vector<std::vector<Found>>& tiles, std::size_t mostBytes)
+{
+  ++this->Frames;
+  try
+  {
+    for (const std::vector<Found>& tile : tiles)
+    {
+      for (const Found& found : tile)
+      {
+        if (found.Rays > 0)
+        {
+          this->Add(found);
+        }
+        else if (found.Block != NoBlock)
+        {
+          this->Blocks[found.Block].LastSeen = this->Frames;
+        }
+      }
+    }
+    if (this->Bytes() > mostBytes)
+    {
+      this->Drop(mostBytes);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Clear();
+  }
+}
+
+namespace
+{
+
+/// Bytes of a block: its place, its patches, and two slots.
+constexpr std::size_t BytesOfBlock = 36 + 256 + 2 * sizeof(std::uint32_t);
+
+}
+
+std::size_t LightCache::Bytes() const
+{
+  static_assert(sizeof(Block) + sizeof(Patches) <= BytesOfBlock);
+  return this->Blocks.size() * BytesOfBlock;
+}
+
+/// Drop the blocks that were not seen for the longest time, until half of the memory is free.
+/// Blocks of the last frame stay: a still picture needs them to become final.
+void LightCache::Drop(std::size_t mostBytes)
+{
+  const auto ageOf = [this](const Block& block) { return this->Frames - block.LastSeen; };
+  std::vector<std::uint32_t> ages;
+  ages.reserve(this->Blocks.size());
+  std::transform(this->Blocks.begin(), this->Blocks.end(), std::back_inserter(ages), ageOf);
+  const std::size_t kept = mostBytes / 2 / BytesOfBlock;
+  if (kept >= ages.size())
+  {
+    return;
+  }
+  std::nth_element(ages.begin(), ages.begin() + static_cast<std::ptrdiff_t>(kept), ages.end());
+  const std::uint32_t oldest = std::max(ages[kept], 1u);
+  std::size_t count = 0;
+  for (std::size_t block = 0; block < this->Blocks.size(); ++block)
+  {
+    if (ageOf(this->Blocks[block]) < oldest)
+    {
+      this->Blocks[count] = this->Blocks[block];
+      this->Blocks[count].Larger = NoBlock;
+      this->Lights[count] = this->Lights[block];
+      ++count;
+    }
+  }
+  this->Blocks.resize(count);
+  this->Lights.resize(count);
+  this->Resize(this->Slots.size());
+}
+
+void LightCache::Clear()
+{
+  *this = LightCache();
+}
+
+}

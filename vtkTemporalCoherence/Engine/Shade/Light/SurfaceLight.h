@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_SurfaceLight_h
+#define TemporalCoherence_SurfaceLight_h
+
+#include "Shade/Light/LightCache.h"
+#include "Shade/Light/OcclusionTracer.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// How many rays find the light of surfaces.
+struct LightOptions
+{
+  std::uint32_t RaysOfFrame = 1;    ///< from one of each four pixels, in turn
+  std::uint32_t RaysWhenStill = 32; ///< from each pixel, if the view and all else stay
+  std::uint32_t Rays = 1024; ///< in all frames together, at most 4095; then the light is final
+  std::size_t MemoryLimit = std::size_t(256) << 20; ///< bytes of kept light
+};
+
+/// The light that reaches the surfaces of one frame: traces some rays, and adds them to the light
+/// that is kept. Thread-safe, one thread a tile.
+class SurfaceLight
+{
+public:
+  /// The arguments must outlive it.
+  /// \throws std::bad_alloc
+  SurfaceLight(const FrameKey& key, const FieldNormals& normals, const glm::dvec2& finiteRange,
+    std::shared_ptr<const SurfaceTracer> tracer, const LightCache& kept, std::uint32_t raysOfFrame,
+    std::uint32_t raysInAll, bool sharesPixels);
+
+  /// Find the share of ambient and diffuse light that reaches hits.
+  /// \param hits     with their normals
+  /// \param areAll   the list holds the hits of the whole tile: neighbours may help each other
+  /// \param arriving result, up to the end of the last vector
+  /// \return cells read
+  std::int64_t Find(
+    std::int64_t tile, const HitList& hits, bool areAll, RayBatch::Array<float>& arriving);
+
+  /// True if no hit needs more rays.
+  bool IsFinal() const { return this->Missing.load() == 0; }
+
+  const std::vector<std::vector<LightCache::Found>>& Found() const { return this->OfTiles; }
+
+private:
+  class Batch;
+
+  std::uint32_t RaysOf(std::int32_t pixel, std::uint32_t known) const;
+  std::int64_t Trace(const HitList& hits, const RayBatch::Array<std::uint8_t>& places,
+    std::size_t count, const RayBatch::Array<LightCache::Known>& known, LightCache::Found* found);
+  void Gather(const RayBatch::Array<std::uint8_t>& places, std::size_t count,
+    const RayBatch::Array<LightCache::Known>& known, const LightCache::Found* found, bool areAll,
+    RayBatch::Array<float>& arriving);
+  PatchPlace PlaceOf(const HitList& hits, std::size_t hit) const;
+
+  const FrameKey& Key;
+  const LightCache& Kept;
+  std::uint32_t RaysOfFrame, RaysInAll;
+  bool SharesPixels; ///< one of four pixels sends rays; patches are as large as pixels
+  NormalSource Source;
+  OcclusionTracer Tracer;
+  double WidthPerDepth, Width; ///< of pixels: at depth 0, and for each unit of depth
+  glm::mat3 NormalFromWorld;   ///< to the axes of the data
+  glm::dvec3 Edges;            ///< of a cell of index space, in the world
+  std::vector<std::vector<LightCache::Found>> OfTiles;
+  std::atomic<std::int64_t> Missing{ 0 }; ///< hits that need more rays
+};
+
+}
+
+#endif

@@ -20,6 +20,11 @@ Session SmallSession()
   return session;
 }
 
+void SetNumbers(Look& look, Number::Which first, const std::vector<double>& values)
+{
+  std::copy(values.begin(), values.end(), &look.Numbers[first]);
+}
+
 bool AreSame(vtkImageData* a, vtkImageData* b)
 {
   const auto bytes = [](vtkImageData* image)

@@ -64,11 +64,11 @@ void ScriptLog::TellFrame(double windowMs)
 void ScriptLog::TellChoices()
 {
   const Look& look = this->Bench.Data.Settings();
-  for (const Choice& choice : AllChoices())
+  for (std::size_t i = 0; i < Choose::Count; ++i)
   {
-    if (look.Choices[choice.What] != this->Told.Choices[choice.What])
+    if (AllSettings()[i].Key && look.Choices[i] != this->Told.Choices[i])
     {
-      this->Tell(choice.Name, look.TextOf(choice.What));
+      this->Tell(AllSettings()[i].Name, look.TextOf(static_cast<Choose::Which>(i)));
     }
   }
   this->Told = look;

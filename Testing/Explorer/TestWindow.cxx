@@ -107,7 +107,7 @@ void ExplorerTests::ClippingAndCropping()
     [](Look& look)
     {
       look.Choices[Choose::Cropping] = 1;
-      look.Crop = { 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 };
+      SetNumbers(look, Number::Crop, { 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 });
     });
   const auto cropped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, cropped));

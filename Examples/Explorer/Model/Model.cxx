@@ -174,22 +174,20 @@ Look Model::Fitted(Look look) const
   Fit(look.Surfaces, range, false);
   look.Nodes = look.Nodes.size() < 2 ? FirstRamp(range, look.Surfaces[0].Value) : look.Nodes;
   Fit(look.Nodes, range, true);
-  look.Density = std::clamp(look.Density, 1e-3, 1e3);
   double* normal = look.Clip.Normal.data();
   if (!(vtkMath::Norm(normal) < 1e15 && vtkMath::Normalize(normal) > 1e-15 &&
         vtkMath::Norm(look.Clip.Origin.data()) < 1e15))
   {
     look.Clip = look.Choices[Choose::Clipping] != 0 ? this->View.MiddlePlane() : Plane{};
   }
-  const Box& box = this->View.DataBounds();
-  for (std::size_t i = 0; i < 6; ++i)
+  for (std::size_t i = 0; i < Number::Count; ++i)
   {
-    const double from = i % 2 == 1 ? look.Crop[i - 1] : box[i];
-    look.Crop[i] = std::clamp(look.Crop[i], from, box[i | 1]);
+    const auto [least, most] = this->RangeOf(AllSettings()[Choose::Count + i]);
+    look.Numbers[i] = std::clamp(look.Numbers[i], least, most);
   }
-  for (std::size_t i = 0; i < 4; ++i)
+  for (std::size_t to = Number::Crop + 1; to < Number::Shading; to += 2)
   {
-    look.Shading[i] = std::clamp(look.Shading[i], 0.0, i < 3 ? 1.0 : 200.0);
+    look.Numbers[to] = std::max(look.Numbers[to - 1], look.Numbers[to]);
   }
   return look;
 }
@@ -204,11 +202,30 @@ void Model::SetSettings(const Look& look, bool isShown)
   }
 }
 
-bool Model::Offers(const Choice& choice) const
+void Model::Apply()
 {
-  const bool isForData =
-    choice.For == Choice::Data::Any || (choice.For == Choice::Data::Meshes) == this->View.IsMesh();
-  return isForData && (choice.What != Choose::Surface || this->DrawsSurfaces());
+  Look& look = this->Current.Settings;
+  this->View.Apply(look);
+  if (look.Choices[Choose::OwnShading] == 0)
+  {
+    const std::array<double, 4> shading = this->View.Shading();
+    std::copy(shading.begin(), shading.end(), &look.Numbers[Number::Shading]);
+  }
+}
+
+bool Model::Offers(const Setting& setting) const
+{
+  using Data = Setting::Data;
+  const bool isMesh = this->View.IsMesh(), areSurfaces = this->DrawsSurfaces();
+  return setting.For == Data::Any || (setting.For == Data::Meshes && isMesh) ||
+    (setting.For == Data::Images && !isMesh) || (setting.For == Data::Surfaces && areSurfaces) ||
+    (setting.For == Data::Blended && !areSurfaces);
+}
+
+std::array<double, 2> Model::RangeOf(const Setting& number) const
+{
+  const double* along = number.Axis ? &this->View.DataBounds()[2 * *number.Axis] : nullptr;
+  return along ? std::array<double, 2>{ along[0], along[1] } : number.Range;
 }
 
 void Model::ResetView()

@@ -48,9 +48,10 @@ public:
   // Values are made to fit the data. Draws nothing; with isShown false, nothing that a picture
   // depends on is touched until Apply().
   void SetSettings(const Look& look, bool isShown = true);
-  void Apply() { this->View.Apply(this->Current.Settings); }
+  void Apply();
 
-  bool Offers(const Choice& choice) const; // false if it has no effect on what is shown
+  bool Offers(const Setting& setting) const; // false if it has no effect on what is shown
+  std::array<double, 2> RangeOf(const Setting& number) const;
   bool DrawsSurfaces() const
   {
     return this->View.IsMesh() || this->Settings().Choices[Choose::Drawing] == 0;

@@ -188,13 +188,14 @@ void VolumeView::Apply(const Look& look)
   vtkVolumeProperty* property = this->Actor->GetProperty();
   SetPalette(property->GetRGBTransferFunction(), choices[Choose::Palette], this->Range);
   SetMaterial(property, choices[Choose::Material]);
-  if (look.HasShading)
+  if (choices[Choose::OwnShading] != 0)
   {
+    const double* shading = &look.Numbers[Number::Shading];
     property->ShadeOn();
-    property->SetAmbient(look.Shading[0]);
-    property->SetDiffuse(look.Shading[1]);
-    property->SetSpecular(look.Shading[2]);
-    property->SetSpecularPower(look.Shading[3]);
+    property->SetAmbient(shading[0]);
+    property->SetDiffuse(shading[1]);
+    property->SetSpecular(shading[2]);
+    property->SetSpecularPower(shading[3]);
   }
   SetLight(this->Renderer, choices[Choose::Light]);
   const bool areSurfaces = this->HasCells || choices[Choose::Drawing] == 0;
@@ -205,7 +206,8 @@ void VolumeView::Apply(const Look& look)
   this->SetMarkers(areSurfaces ? look.Surfaces : look.Nodes);
   const Box& box = this->Bounds;
   const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
-  property->SetScalarOpacityUnitDistance(std::max(0.01 * diagonal / look.Density, 1e-30));
+  property->SetScalarOpacityUnitDistance(
+    std::max(0.01 * diagonal / look.Numbers[Number::Density], 1e-30));
   this->Mapper->SetSurfaceMode(choices[Choose::Surface]);
   this->Mapper->SetSmoothMeshNormals(choices[Choose::Gradients] != 0);
   this->Mapper->SetReuseAccuracy(
@@ -218,7 +220,7 @@ void VolumeView::Apply(const Look& look)
   this->Mapper->SetRefineWhenStill(choices[Choose::Answers] == 0);
   this->Mapper->SetCropping(choices[Choose::Cropping] != 0);
   this->Mapper->SetCroppingRegionFlagsToSubVolume();
-  this->Mapper->SetCroppingRegionPlanes(look.Crop.data());
+  this->Mapper->SetCroppingRegionPlanes(&look.Numbers[Number::Crop]);
   this->Mapper->RemoveAllClippingPlanes();
   if (choices[Choose::Clipping] != 0)
   {

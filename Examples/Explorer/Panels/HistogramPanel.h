@@ -3,7 +3,7 @@
 #ifndef HistogramPanel_h
 #define HistogramPanel_h
 
-#include "Model/Look.h"
+#include "Model/Settings.h"
 
 #include <QPixmap>
 #include <QWidget>

@@ -72,7 +72,7 @@ void ClipHandles::Show()
   if (look.Choices[Choose::Cropping] != 0)
   {
     // From the whole box to the part of it, and to where the data lie in the world.
-    const Box& crop = look.Crop;
+    const double* crop = &look.Numbers[Number::Crop];
     const auto box = this->Bench.Data.View.DataBounds();
     vtkNew<vtkTransform> transform;
     if (vtkMatrix4x4* placement = this->Bench.Data.View.Placement())
@@ -114,5 +114,6 @@ void ClipHandles::TakeBox()
     toData->MultiplyPoint(point, point);
     crop[side] = point[side / 2];
   }
-  this->Bench.Edit(tr("cropping"), [&](Look& look) { look.Crop = crop; });
+  this->Bench.Edit(tr("cropping"),
+    [&](Look& look) { std::copy(crop.begin(), crop.end(), &look.Numbers[Number::Crop]); });
 }

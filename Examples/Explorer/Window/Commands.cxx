@@ -127,14 +127,17 @@ std::vector<std::pair<std::string, std::string>> AllKeys()
       keys.emplace_back(command.Keys, command.Help);
     }
   }
-  for (const Choice& choice : AllChoices())
+  for (const Setting& setting : AllSettings())
   {
     std::string values;
-    for (const char* value : choice.Values)
+    for (const char* value : setting.Values)
     {
       values += (values.empty() ? " (" : ", ") + std::string(value);
     }
-    keys.emplace_back(std::string(1, choice.Key), choice.Help + values + ")");
+    if (setting.Key)
+    {
+      keys.emplace_back(std::string(1, setting.Key), setting.Help + values + ")");
+    }
   }
   return keys;
 }

@@ -147,9 +147,9 @@ void MainWindow::MakeMenus()
 // The next value, by the key alone; with Shift, the one before.
 void MainWindow::MakeSettingsMenu(QMenu* menu)
 {
-  for (const Choice& choice : AllChoices())
+  for (const Setting& choice : AllSettings())
   {
-    for (const int turn : { 1, -1 })
+    for (const int turn : choice.Key ? std::vector<int>{ 1, -1 } : std::vector<int>{})
     {
       auto* item = new QAction(tr(choice.Label), this);
       item->setShortcut(QKeySequence(QString(turn > 0 ? "%1" : "Shift+%1").arg(choice.Key)));
@@ -160,7 +160,7 @@ void MainWindow::MakeSettingsMenu(QMenu* menu)
         {
           if (this->Bench.Data.IsOpen() && this->Bench.Data.Offers(choice))
           {
-            this->Bench.Turn(choice.What, turn);
+            this->Bench.Turn(choice.Row(), turn);
           }
         });
       turn > 0 ? menu->addAction(item) : this->addAction(item);

@@ -13,6 +13,7 @@
 #include <QFile>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -170,18 +171,49 @@ void Workbench::Show(const Look& look)
   emit this->Changed();
 }
 
-void Workbench::Turn(Choose::Which what, int steps)
+void Workbench::Turn(std::size_t choice, int steps)
 {
-  const Choice& choice = AllChoices()[what];
-  this->EditOnce(choice.Label,
+  this->EditOnce(AllSettings()[choice].Label,
     [&](Look& look)
     {
-      const int count = static_cast<int>(choice.Values.size());
-      look.Choices[what] = (look.Choices[what] + steps + count) % count;
+      const int count = static_cast<int>(AllSettings()[choice].Values.size());
+      look.Choices[choice] = (look.Choices[choice] + steps + count) % count;
     });
 }
 
-// Does the job in a thread, and in this one what is done with its result.
+double& Workbench::NumberOf(const Setting& number, Look& look)
+{
+  const std::size_t i = number.Row() - Choose::Count;
+  return i == Number::Opacity ? this->Data.MarkersOf(look)[this->Selected()].Opacity
+                              : look.Numbers[i];
+}
+
+double Workbench::ShareOf(const Setting& number)
+{
+  Look look = this->Data.Settings();
+  const double value = this->NumberOf(number, look);
+  const auto [least, most] = this->Data.RangeOf(number);
+  const double share = number.IsLogarithmic ? std::log(value / least) / std::log(most / least)
+                                            : (value - least) / (most - least);
+  return std::isfinite(share) ? share : 0.0; // a range may be empty
+}
+
+void Workbench::SetShare(const Setting& number, double share)
+{
+  this->Edit(number.Label,
+    [&](Look& look)
+    {
+      const auto [least, most] = this->Data.RangeOf(number);
+      this->NumberOf(number, look) = number.IsLogarithmic ? least * std::pow(most / least, share)
+                                                          : least + share * (most - least);
+      if (number.Switch < Choose::Count)
+      {
+        look.Choices[number.Switch] = 1;
+      }
+    });
+}
+
+// Does the job in// Does the job in a thread, and in this one what is done with its result.
 void Workbench::Start(const std::string& what, const Job& job, const std::function<void()>& done)
 {
   this->IsStopped = false;
@@ -298,8 +330,8 @@ void Workbench::OpenPath(const QString& name)
       Session session;
       session.Source.Path = path;
       session.Settings.Choices = this->Data.Settings().Choices;
-      session.Settings.HasShading = this->Data.Settings().HasShading;
-      session.Settings.Shading = this->Data.Settings().Shading;
+      std::copy_n(&this->Data.Settings().Numbers[Number::Shading], 4,
+        &session.Settings.Numbers[Number::Shading]);
       this->Open(session);
     });
 }

@@ -47,7 +47,10 @@ public:
   }
   void SetDragging(bool isDragging); // frames are to be made fast, or well
   void Show(const Look& look);       // as it is, for undo
-  void Turn(Choose::Which what, int steps);
+  void Turn(std::size_t choice, int steps);
+  // Of the range of a number, on the slider's scale.
+  double ShareOf(const Setting& number);
+  void SetShare(const Setting& number, double share);
 
   void Open(const Session& session);
   void OpenPath(const QString& path); // a session, or a volume to be looked at likewise
@@ -93,6 +96,7 @@ signals:
   void Said(const QString& sentence, bool isWarning);
 
 private:
+  double& NumberOf(const Setting& number, Look& look);
   using Job = std::function<void(const Progress&)>;
   void Start(const std::string& what, const Job& job, const std::function<void()>& done);
   void Finish(const std::exception_ptr& failure, const std::function<void()>& done);

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Settings_h
+#define Settings_h
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+using Point = std::array<double, 3>;
+using Rgb = std::array<double, 3>; // 0 to 1
+using Box = std::array<double, 6>; // from and to, of x, y and z
+
+// Rows of the table of settings: what is one of a few values, ...
+struct Choose
+{
+  enum Which : std::size_t
+  {
+    Palette,
+    Material,
+    Light,
+    Surface,
+    Accuracy,
+    ImageCache,
+    Isomap,
+    Leaping,
+    Ahead,
+    Answers,
+    Scale,
+    Film,
+    Gradients,
+    Drawing,
+    Clipping,
+    Cropping,
+    OwnShading, // else it is that of the material
+    Count,
+  };
+};
+
+// ... and after them numbers.
+struct Number
+{
+  enum Which : std::size_t
+  {
+    Density,            // of blended volumes: a hundredth of the volume is so opaque
+    Crop,               // a box along the data's own axes
+    Shading = Crop + 6, // ambient to power
+    Count = Shading + 4,
+    Opacity = Count, // is that of the selected marker
+  };
+};
+
+// A surface at an isovalue, or a node of the opacity of a blended volume.
+struct Marker
+{
+  double Value = 0.0;
+  double Opacity = 1.0;
+  bool IsVisible = true;         // of a surface
+  std::optional<Rgb> Color = {}; // none: the palette's
+};
+
+struct Plane // in the world; what the normal points to is seen
+{
+  Point Origin = {};
+  Point Normal = {}; // none: where it suits the view
+};
+
+// All settings that can be undone.
+struct Look
+{
+  Look(); // as by default
+  const char* TextOf(Choose::Which what) const;
+
+  std::array<int, Choose::Count> Choices;
+  std::array<double, Number::Count> Numbers;
+  std::vector<Marker> Surfaces; // one at least, once a volume is open
+  std::vector<Marker> Nodes;    // in ascending order of values; two at least
+  Plane Clip;
+};
+
+// A row of the table of settings: one of a few values, or a number. Panels, menus, keys, names of
+// what is undone, sessions and the help are made of the rows.
+struct Setting
+{
+  enum class Panel
+  {
+    Surfaces,
+    Clip,
+    Light,
+    Reuse,
+    None, // nor a menu, nor a key
+  };
+  enum class Data
+  {
+    Any,
+    Meshes,
+    Images, // and rectilinear grids
+    Surfaces,
+    Blended, // volumes
+  };
+
+  const char* Name;  // in sessions, where rows of one name share a line; none: in no line
+  const char* Label; // for people
+  const char* Help;
+  Panel In;
+  char Key;
+  std::vector<const char*> Values; // none: it is a number
+  Data For = Data::Any;            // it has no effect on others
+  double Default = 0.0;
+  // Of a number.
+  std::array<double, 2> Range = { 0.0, 1.0 };
+  std::optional<std::size_t> Axis = {}; // along which the data's bounds are the range
+  Choose::Which Switch = Choose::Count; // is on where the number is set
+  bool IsLogarithmic = false;
+
+  bool IsChoice() const { return !this->Values.empty(); }
+  std::size_t Row() const; // in the table
+};
+const std::vector<Setting>& AllSettings();
+
+#endif

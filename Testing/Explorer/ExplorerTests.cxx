@@ -20,9 +20,9 @@ Session SmallSession()
   return session;
 }
 
-void SetNumbers(Look& look, Number::Which first, const std::vector<double>& values)
+void SetNumbers(Look& look, Row::Which first, const std::vector<double>& values)
 {
-  std::copy(values.begin(), values.end(), &look.Numbers[first]);
+  std::copy(values.begin(), values.end(), &look.Values[first]);
 }
 
 bool AreSame(vtkImageData* a, vtkImageData* b)

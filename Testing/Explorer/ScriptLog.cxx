@@ -64,11 +64,11 @@ void ScriptLog::TellFrame(double windowMs)
 void ScriptLog::TellChoices()
 {
   const Look& look = this->Bench.Data.Settings();
-  for (std::size_t i = 0; i < Choose::Count; ++i)
+  for (std::size_t i = 0; i < Row::Count; ++i)
   {
-    if (AllSettings()[i].Key && look.Choices[i] != this->Told.Choices[i])
+    if (AllSettings()[i].Key && look.Values[i] != this->Told.Values[i])
     {
-      this->Tell(AllSettings()[i].Name, look.TextOf(static_cast<Choose::Which>(i)));
+      this->Tell(AllSettings()[i].Name, look.TextOf(static_cast<Row::Which>(i)));
     }
   }
   this->Told = look;

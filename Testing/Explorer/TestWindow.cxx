@@ -51,7 +51,7 @@ void ExplorerTests::TheHistogramMovesIsovalues()
 void ExplorerTests::TheHistogramMovesOpacities()
 {
   HistogramPanel* histogram = this->Window->Histogram();
-  this->Bench->Turn(Choose::Drawing, 1);
+  this->Bench->Turn(Row::Drawing, 1);
   const auto nodes = [this]() -> const std::vector<Marker>&
   { return this->Bench->Data.Settings().Nodes; };
   const std::size_t before = nodes().size();
@@ -85,12 +85,12 @@ void ExplorerTests::TheTableChangesSurfaces()
 void ExplorerTests::PanelsShowTheModel()
 {
   auto* palette = this->Window->findChild<QComboBox*>("palette");
-  this->Bench->Turn(Choose::Palette, 2);
+  this->Bench->Turn(Row::Palette, 2);
   QTRY_COMPARE_WITH_TIMEOUT(palette->currentText(), QString("steel"), Patience);
   auto* isomap = this->Window->findChild<QAbstractButton*>("isomap");
   QTRY_VERIFY_WITH_TIMEOUT(isomap->isChecked(), Patience);
   isomap->click();
-  QVERIFY(!this->Bench->Data.Settings().Choices[Choose::Isomap]);
+  QCOMPARE(this->Bench->Data.Settings().Values[Row::Isomap], 0.0);
   // Meshes have normals of their own, and surfaces only.
   QVERIFY(!this->Window->findChild<QComboBox*>("gradients")->isVisibleTo(this->Window.get()));
 }
@@ -99,15 +99,15 @@ void ExplorerTests::ClippingAndCropping()
 {
   const auto whole = this->Bench->Data.View.Picture(Width, Height);
   this->Window->findChild<QAbstractButton*>("clipping")->click();
-  QVERIFY(this->Bench->Data.Settings().Choices[Choose::Clipping]);
+  QVERIFY(this->Bench->Data.Settings().Values[Row::Clipping] != 0.0);
   const auto clipped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, clipped));
   this->Window->findChild<QAbstractButton*>("clipping")->click();
   this->Bench->Edit("cropping",
     [](Look& look)
     {
-      look.Choices[Choose::Cropping] = 1;
-      SetNumbers(look, Number::Crop, { 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 });
+      look.Values[Row::Cropping] = 1;
+      SetNumbers(look, Row::Crop, { 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 });
     });
   const auto cropped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, cropped));

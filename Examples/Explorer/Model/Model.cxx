@@ -178,16 +178,16 @@ Look Model::Fitted(Look look) const
   if (!(vtkMath::Norm(normal) < 1e15 && vtkMath::Normalize(normal) > 1e-15 &&
         vtkMath::Norm(look.Clip.Origin.data()) < 1e15))
   {
-    look.Clip = look.Choices[Choose::Clipping] != 0 ? this->View.MiddlePlane() : Plane{};
+    look.Clip = look.Values[Row::Clipping] != 0 ? this->View.MiddlePlane() : Plane{};
   }
-  for (std::size_t i = 0; i < Number::Count; ++i)
+  for (std::size_t row = Row::Shading; row < Row::Count; ++row)
   {
-    const auto [least, most] = this->RangeOf(AllSettings()[Choose::Count + i]);
-    look.Numbers[i] = std::clamp(look.Numbers[i], least, most);
+    const auto [least, most] = this->RangeOf(AllSettings()[row]);
+    look.Values[row] = std::clamp(look.Values[row], least, most);
   }
-  for (std::size_t to = Number::Crop + 1; to < Number::Shading; to += 2)
+  for (std::size_t to = Row::Crop + 1; to < Row::Count; to += 2)
   {
-    look.Numbers[to] = std::max(look.Numbers[to - 1], look.Numbers[to]);
+    look.Values[to] = std::max(look.Values[to - 1], look.Values[to]);
   }
   return look;
 }
@@ -206,10 +206,10 @@ void Model::Apply()
 {
   Look& look = this->Current.Settings;
   this->View.Apply(look);
-  if (look.Choices[Choose::OwnShading] == 0)
+  if (look.Values[Row::OwnShading] == 0)
   {
     const std::array<double, 4> shading = this->View.Shading();
-    std::copy(shading.begin(), shading.end(), &look.Numbers[Number::Shading]);
+    std::copy(shading.begin(), shading.end(), &look.Values[Row::Shading]);
   }
 }
 
@@ -255,7 +255,7 @@ std::vector<double> Model::PresentSight()
   const CameraState camera = this->View.Camera();
   const int* size = this->View.Renderer->GetSize();
   std::vector<double> sight = { camera.ViewAngle, 1.0 * size[0], 1.0 * size[1],
-    1.0 * this->Settings().Choices[Choose::Surface] };
+    this->Settings().Values[Row::Surface] };
   for (const Point& point : { camera.Position, camera.FocalPoint, camera.ViewUp })
   {
     sight.insert(sight.end(), point.begin(), point.end());
@@ -265,7 +265,7 @@ std::vector<double> Model::PresentSight()
 
 bool Model::WantsIsomapAhead()
 {
-  const auto& choices = this->Settings().Choices;
-  return this->IsOpen() && this->DrawsSurfaces() && choices[Choose::Ahead] != 0 &&
-    choices[Choose::Isomap] != 0 && this->Ahead != this->PresentSight();
+  const auto& values = this->Settings().Values;
+  return this->IsOpen() && this->DrawsSurfaces() && values[Row::Ahead] != 0 &&
+    values[Row::Isomap] != 0 && this->Ahead != this->PresentSight();
 }

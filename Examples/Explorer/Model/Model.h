@@ -54,12 +54,21 @@ public:
   std::array<double, 2> RangeOf(const Setting& number) const;
   bool DrawsSurfaces() const
   {
-    return this->View.IsMesh() || this->Settings().Choices[Choose::Drawing] == 0;
+    return this->View.IsMesh() || this->Settings().Values[Row::Drawing] == 0;
   }
   // The surfaces, or the nodes of the blended volume.
   auto MarkersIn() const { return this->DrawsSurfaces() ? &Look::Surfaces : &Look::Nodes; }
   std::vector<Marker>& MarkersOf(Look& look) const { return look.*this->MarkersIn(); }
   const std::vector<Marker>& Markers() const { return this->Settings().*this->MarkersIn(); }
+  // Values by their place in the range, 0 to 1.
+  double ValueAt(double share) const
+  {
+    return this->Samples.Range[0] + share * (this->Samples.Range[1] - this->Samples.Range[0]);
+  }
+  double ShareOf(double value) const
+  {
+    return (value - this->Samples.Range[0]) / (this->Samples.Range[1] - this->Samples.Range[0]);
+  }
   // One of as many as 8 bits have.
   double StepOfValues() const { return (this->Samples.Range[1] - this->Samples.Range[0]) / 256.0; }
 

@@ -76,20 +76,20 @@ public:
     }
     this->Text << text;
   }
-  void Take(int& index, const std::vector<const char*>& words)
+  void Take(double& index, const std::vector<const char*>& words)
   {
     std::string word = words[static_cast<std::size_t>(index)];
     this->Take(word);
     word = word == "bounded" ? "exact" : word; // an accuracy of versions 0.1 and 0.2
     const auto at = std::find(words.begin(), words.end(), word);
     Expect(at != words.end());
-    index = static_cast<int>(at - words.begin());
+    index = static_cast<double>(at - words.begin());
   }
   void Take(bool& isOn)
   {
-    int index = isOn;
+    double index = isOn;
     this->Take(index, { "off", "on" });
-    isOn = index != 0;
+    isOn = index != 0.0;
   }
   void Take(RawLayout& raw)
   {
@@ -161,9 +161,9 @@ private:
       this->Take(isVisible);
       marker.IsVisible = isVisible != 0.0;
     }
-    if (marker.Color || (this->IsRead && this->HasMore()))
+    if (!this->IsRead || this->HasMore())
     {
-      this->Take(marker.Color ? *marker.Color : marker.Color.emplace());
+      this->Take(marker.Color);
     }
   }
 
@@ -176,16 +176,20 @@ struct Field
   std::function<void(Line&)> Take;
 };
 
-// The numbers of all rows of a name.
-void TakeNumbers(Line& line, const std::string& name, Look& look)
+// All rows of a name.
+void TakeSettings(Line& line, const std::string& name, Look& look)
 {
-  int isAlways = 1;
+  double isAlways = 1.0;
   for (const Setting& setting : AllSettings())
   {
-    if (setting.Name == name)
+    if (setting.Name == name && setting.IsChoice())
     {
-      line.TakeIf(setting.Switch < Choose::Count ? look.Choices[setting.Switch] : isAlways,
-        look.Numbers[setting.Row() - Choose::Count]);
+      line.Take(look.Values[setting.Place()], setting.Words);
+    }
+    else if (setting.Name == name)
+    {
+      line.TakeIf(setting.Switch < Row::Count ? look.Values[setting.Switch] : isAlways,
+        look.Values[setting.Place()]);
     }
   }
 }
@@ -214,19 +218,14 @@ std::vector<Field> FieldsOf(Session& session)
     { "opacity", [&](Line& line) { line.Take(look.Nodes, false); } },
     { "clip",
       [&](Line& line)
-      { line.TakeIf(look.Choices[Choose::Clipping], look.Clip.Origin, look.Clip.Normal); } },
+      { line.TakeIf(look.Values[Row::Clipping], look.Clip.Origin, look.Clip.Normal); } },
   };
   for (const Setting& setting : AllSettings())
   {
-    if (*setting.Name && setting.IsChoice())
-    {
-      fields.push_back({ setting.Name,
-        [&](Line& line) { line.Take(look.Choices[setting.Row()], setting.Values); } });
-    }
-    else if (setting.Name != fields.back().Key)
+    if (*setting.Name && setting.Name != fields.back().Key)
     {
       fields.push_back(
-        { setting.Name, [&](Line& line) { TakeNumbers(line, setting.Name, look); } });
+        { setting.Name, [&](Line& line) { TakeSettings(line, setting.Name, look); } });
     }
   }
   return fields;

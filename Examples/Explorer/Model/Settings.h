@@ -13,8 +13,8 @@ using Point = std::array<double, 3>;
 using Rgb = std::array<double, 3>; // 0 to 1
 using Box = std::array<double, 6>; // from and to, of x, y and z
 
-// Rows of the table of settings: what is one of a few values, ...
-struct Choose
+// The rows of the table of settings.
+struct Row
 {
   enum Which : std::size_t
   {
@@ -35,19 +35,10 @@ struct Choose
     Clipping,
     Cropping,
     OwnShading, // else it is that of the material
-    Count,
-  };
-};
-
-// ... and after them numbers.
-struct Number
-{
-  enum Which : std::size_t
-  {
-    Density,            // of blended volumes: a hundredth of the volume is so opaque
-    Crop,               // a box along the data's own axes
-    Shading = Crop + 6, // ambient to power
-    Count = Shading + 4,
+    Shading,    // ambient, diffuse, specular, power
+    Density = Shading + 4,
+    Crop, // a box along the data's own axes
+    Count = Crop + 6,
     Opacity = Count, // is that of the selected marker
   };
 };
@@ -71,12 +62,12 @@ struct Plane // in the world; what the normal points to is seen
 struct Look
 {
   Look(); // as by default
-  const char* TextOf(Choose::Which what) const;
+  int Choice(Row::Which what) const { return static_cast<int>(this->Values[what]); }
+  const char* TextOf(Row::Which choice) const;
 
-  std::array<int, Choose::Count> Choices;
-  std::array<double, Number::Count> Numbers;
-  std::vector<Marker> Surfaces; // one at least, once a volume is open
-  std::vector<Marker> Nodes;    // in ascending order of values; two at least
+  std::array<double, Row::Count> Values; // of a choice: the place of its word
+  std::vector<Marker> Surfaces;          // one at least, once a volume is open
+  std::vector<Marker> Nodes;             // in ascending order of values; two at least
   Plane Clip;
 };
 
@@ -84,14 +75,6 @@ struct Look
 // what is undone, sessions and the help are made of the rows.
 struct Setting
 {
-  enum class Panel
-  {
-    Surfaces,
-    Clip,
-    Light,
-    Reuse,
-    None, // nor a menu, nor a key
-  };
   enum class Data
   {
     Any,
@@ -104,19 +87,19 @@ struct Setting
   const char* Name;  // in sessions, where rows of one name share a line; none: in no line
   const char* Label; // for people
   const char* Help;
-  Panel In;
+  const char* Panel; // and part of it; none: neither a panel nor a menu has it
   char Key;
-  std::vector<const char*> Values; // none: it is a number
-  Data For = Data::Any;            // it has no effect on others
+  std::vector<const char*> Words; // of a choice; none: it is a number
+  Data For = Data::Any;           // it has no effect on others
   double Default = 0.0;
   // Of a number.
   std::array<double, 2> Range = { 0.0, 1.0 };
   std::optional<std::size_t> Axis = {}; // along which the data's bounds are the range
-  Choose::Which Switch = Choose::Count; // is on where the number is set
+  Row::Which Switch = Row::Count;       // is on where the number is set
   bool IsLogarithmic = false;
 
-  bool IsChoice() const { return !this->Values.empty(); }
-  std::size_t Row() const; // in the table
+  bool IsChoice() const { return !this->Words.empty(); }
+  std::size_t Place() const; // in the table
 };
 const std::vector<Setting>& AllSettings();
 

@@ -58,7 +58,7 @@ public:
   // As they were when it was shown: the mapper is not asked, which may be at work.
   const Box& DataBounds() const { return this->Bounds; }
   const Box& WorldBounds() const { return this->BoundsInWorld; }
-  vtkMatrix4x4* Placement() const { return this->Actor->GetUserMatrix(); } // may be null
+  vtkMatrix4x4* Placement() const { return this->Actor->GetMatrix(); }
   bool IsMesh() const { return this->HasCells; }
 
   vtkNew<vtkRenderer> Renderer;

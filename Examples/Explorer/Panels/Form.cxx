@@ -59,11 +59,11 @@ void Form::Add(QWidget* widget, const QString& help, const QString& label)
   }
 }
 
-void Form::AddSettings(Setting::Panel panel, bool areChoices)
+void Form::AddSettings(const std::string& panel)
 {
   for (const Setting& setting : AllSettings())
   {
-    if (setting.In == panel && setting.IsChoice() == areChoices)
+    if (setting.Panel == panel)
     {
       this->AddSetting(setting);
     }
@@ -95,9 +95,10 @@ QWidget* Form::NewWidget(const Setting& setting)
   {
     return this->NewSlider(setting);
   }
-  const std::size_t row = setting.Row();
-  const auto value = [this, row] { return this->Bench.Data.Settings().Choices[row]; };
-  if (setting.Values[0] == std::string("off"))
+  const std::size_t row = setting.Place();
+  const auto value = [this, row]
+  { return static_cast<int>(this->Bench.Data.Settings().Values[row]); };
+  if (setting.Words[0] == std::string("off"))
   {
     auto* check = new QCheckBox(tr(setting.Label));
     QObject::connect(check, &QCheckBox::clicked, [=] { this->Bench.Turn(row, 1); });
@@ -105,7 +106,7 @@ QWidget* Form::NewWidget(const Setting& setting)
     return check;
   }
   auto* box = new QComboBox;
-  for (const char* text : setting.Values)
+  for (const char* text : setting.Words)
   {
     box->addItem(tr(text));
   }

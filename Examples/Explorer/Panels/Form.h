@@ -18,7 +18,7 @@ public:
   explicit Form(Workbench& bench);
 
   void AddSetting(const Setting& setting);
-  void AddSettings(Setting::Panel panel, bool areChoices);
+  void AddSettings(const std::string& panel);
   void AddButtons(const QList<QAction*>& actions); // side by side
   QAction* NewAction(const QString& label, const QString& help, const std::function<void()>& act);
   // Over the whole width where there is no label.

@@ -27,6 +27,8 @@ HistogramPanel::HistogramPanel(Workbench& bench)
   this->setAccessibleName(tr("Histogram with isovalues and opacity"));
   this->setToolTip(tr("Drag a marker: the isovalue of a surface, or a node of the opacity.\n"
                       "Right click: its colour. Double click: another node."));
+  const int line = this->fontMetrics().height();
+  this->setMinimumSize(12 * line, 5 * line);
   this->setFocusPolicy(Qt::StrongFocus);
   this->setContextMenuPolicy(Qt::ActionsContextMenu);
   this->setAttribute(Qt::WA_OpaquePaintEvent); // nothing behind it has to be drawn
@@ -40,16 +42,6 @@ HistogramPanel::HistogramPanel(Workbench& bench)
       }
     });
   QObject::connect(&bench, &Workbench::Opened, this, &HistogramPanel::Refresh);
-}
-
-QSize HistogramPanel::sizeHint() const
-{
-  return { 40 * this->fontMetrics().height(), 8 * this->fontMetrics().height() };
-}
-
-QSize HistogramPanel::minimumSizeHint() const
-{
-  return { 12 * this->fontMetrics().height(), 5 * this->fontMetrics().height() };
 }
 
 QRect HistogramPanel::Plot() const
@@ -68,8 +60,7 @@ QPoint HistogramPanel::PlaceOf(double share) const
 QPointF HistogramPanel::PlaceOf(const Marker& marker) const
 {
   const QRect plot = this->Plot();
-  const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
-  const double share = (marker.Value - range[0]) / (range[1] - range[0]);
+  const double share = this->Bench.Data.ShareOf(marker.Value);
   const double height = this->Bench.Data.DrawsSurfaces() ? 1.0 : marker.Opacity;
   return { plot.x() + share * (plot.width() - 1), plot.bottom() - height * plot.height() };
 }
@@ -77,11 +68,9 @@ QPointF HistogramPanel::PlaceOf(const Marker& marker) const
 Marker HistogramPanel::MarkerAt(const QPoint& place) const
 {
   const QRect plot = this->Plot();
-  const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
   const double share = static_cast<double>(place.x() - plot.x()) / std::max(plot.width() - 1, 1);
   const double height = static_cast<double>(plot.bottom() - place.y()) / plot.height();
-  return { range[0] + std::clamp(share, 0.0, 1.0) * (range[1] - range[0]),
-    std::clamp(height, 0.0, 1.0) };
+  return { this->Bench.Data.ValueAt(std::clamp(share, 0.0, 1.0)), std::clamp(height, 0.0, 1.0) };
 }
 
 int HistogramPanel::Nearest(const QPoint& place) const
@@ -125,8 +114,7 @@ void HistogramPanel::MakeBars()
   for (std::size_t bin = 0; bin < count; ++bin)
   {
     const double share = static_cast<double>(bin) / static_cast<double>(count - 1);
-    const double value = counted.Range[0] + share * (counted.Range[1] - counted.Range[0]);
-    const Rgb rgb = this->Bench.Data.View.ColorOf({ value });
+    const Rgb rgb = this->Bench.Data.View.ColorOf({ this->Bench.Data.ValueAt(share) });
     of.insert(of.end(), rgb.begin(), rgb.end());
     colors.push_back(ToQColor(rgb));
   }

@@ -18,8 +18,7 @@ public:
   explicit HistogramPanel(Workbench& bench);
 
   QPoint PlaceOf(double share) const; // of the range of values
-  QSize sizeHint() const override;
-  QSize minimumSizeHint() const override;
+  QSize sizeHint() const override { return 2 * this->minimumSize(); }
 
 protected:
   void paintEvent(QPaintEvent*) override;

@@ -141,13 +141,13 @@ QWidget* MakeMarkersPanel(
 {
   auto* form = new Form(bench);
   auto* table = new MarkerTable(bench, colors);
-  form->AddSetting(AllSettings()[Choose::Drawing]);
+  form->AddSetting(AllSettings()[Row::Drawing]);
   form->Add(table);
   form->OnChange([table] { table->Refresh(); });
   form->AddButtons(buttons);
-  form->AddSetting(AllSettings()[Choose::Count + Number::Opacity]);
-  form->AddSetting(AllSettings()[Choose::Count + Number::Density]);
-  form->AddSetting(AllSettings()[Choose::Surface]);
-  form->AddSetting(AllSettings()[Choose::Palette]);
+  form->AddSetting(AllSettings()[Row::Opacity]);
+  form->AddSetting(AllSettings()[Row::Density]);
+  form->AddSetting(AllSettings()[Row::Surface]);
+  form->AddSetting(AllSettings()[Row::Palette]);
   return form;
 }

@@ -12,14 +12,12 @@
 QWidget* MakeLightPanel(Workbench& bench)
 {
   auto* form = new Form(bench);
-  form->AddSettings(Setting::Panel::Light, true);
-  form->AddSettings(Setting::Panel::Light, false);
+  form->AddSettings("Light");
   form->AddButtons({ form->NewAction(QObject::tr("As the material"),
     QObject::tr("forget the four sliders' changes"),
     [&bench]
     {
-      bench.EditOnce(
-        QObject::tr("material"), [](Look& look) { look.Choices[Choose::OwnShading] = 0; });
+      bench.EditOnce(QObject::tr("material"), [](Look& look) { look.Values[Row::OwnShading] = 0; });
     }) });
   return form;
 }
@@ -38,7 +36,7 @@ QWidget* MakeClippingPanel(Workbench& bench)
           {
             const bool isPlaced = look.Clip.Normal != Point{};
             look.Clip = isPlaced ? look.Clip : bench.Data.View.MiddlePlane();
-            look.Choices[Choose::Clipping] = 1;
+            look.Values[Row::Clipping] = 1;
             change(look.Clip.Normal);
           });
       });
@@ -54,12 +52,11 @@ QWidget* MakeClippingPanel(Workbench& bench)
   const auto alongView = [&view](Point& normal)
   { view.Renderer->GetActiveCamera()->GetDirectionOfProjection(normal.data()); };
   const auto flip = [](Point& normal) { vtkMath::MultiplyScalar(normal.data(), -1.0); };
-  form->AddSetting(AllSettings()[Choose::Clipping]);
+  form->AddSettings("Clip");
   form->AddButtons({ turn("X", "cut across X", across(0)), turn("Y", "cut across Y", across(1)),
     turn("Z", "cut across Z", across(2)), turn("View", "cut as seen from here", alongView),
     turn("Flip", "show the other side", flip) });
-  form->AddSetting(AllSettings()[Choose::Cropping]);
-  form->AddSettings(Setting::Panel::Clip, false);
+  form->AddSettings("Crop");
   return form;
 }
 
@@ -67,6 +64,6 @@ QWidget* MakeReusePanel(Workbench& bench)
 {
   auto* form = new Form(bench);
   form->Add(MakeStatistics(bench));
-  form->AddSettings(Setting::Panel::Reuse, true);
+  form->AddSettings("Re-use");
   return form;
 }

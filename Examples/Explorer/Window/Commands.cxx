@@ -130,7 +130,7 @@ std::vector<std::pair<std::string, std::string>> AllKeys()
   for (const Setting& setting : AllSettings())
   {
     std::string values;
-    for (const char* value : setting.Values)
+    for (const char* value : setting.Words)
     {
       values += (values.empty() ? " (" : ", ") + std::string(value);
     }

@@ -88,17 +88,16 @@ void MakeFilm(QWidget& over, Workbench& bench, Motion motion, int frames, int wi
   QProgressDialog progress(QObject::tr("Making a film"), QObject::tr("Stop"), 0, frames, &over);
   progress.setWindowModality(Qt::WindowModal);
   Recorder recorder(bench.Output.Directory);
-  recorder.Start(bench.Data.Settings().TextOf(Choose::Film));
+  recorder.Start(bench.Data.Settings().TextOf(Row::Film));
   const Look before = bench.Data.Settings();
   const CameraState camera = bench.Data.View.Camera();
-  const auto& range = bench.Data.Counted().Range;
   for (int frame = 0; frame < frames && !progress.wasCanceled(); ++frame)
   {
     if (motion == Sweep)
     {
       Look look = before;
       bench.Data.MarkersOf(look)[bench.Selected()].Value =
-        range[0] + (frame + 0.5) / frames * (range[1] - range[0]);
+        bench.Data.ValueAt((frame + 0.5) / frames);
       bench.Data.SetSettings(look);
     }
     recorder.Add(bench.Data.View.Picture(width, height));
@@ -178,24 +177,16 @@ void AskFilm(QMainWindow& window, Workbench& bench)
   const QSpinBox* frames = dialog.AddNumber(QObject::tr("Frames"), 120, 10000);
   if (dialog.Ask())
   {
-    bench.Try(
-      [&]
-      {
-        MakeFilm(window, bench, static_cast<Motion>(motion->currentIndex()), frames->value(),
-          dialog.Width->value(), dialog.Height->value());
-      });
+    MakeFilm(window, bench, static_cast<Motion>(motion->currentIndex()), frames->value(),
+      dialog.Width->value(), dialog.Height->value());
   }
 }
 
 void SavePictureOfWindow(QMainWindow& window, Workbench& bench)
 {
-  bench.Try(
-    [&]
-    {
-      const std::string path = bench.Output.NextPath();
-      SaveWindow(window, path);
-      bench.Say("Saved " + path);
-    });
+  const std::string path = bench.Output.NextPath();
+  SaveWindow(window, path);
+  bench.Say("Saved " + path);
 }
 
 void SaveWindow(QWidget& window, const std::string& path)

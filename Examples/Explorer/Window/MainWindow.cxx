@@ -114,7 +114,7 @@ void MainWindow::MakeMenus()
       QObject::connect(item, &QAction::triggered, this,
         [this, &command]
         {
-          command.Do(*this, this->Bench);
+          this->Bench.Try([&] { command.Do(*this, this->Bench); });
           this->ShowState(); // at once, as the next key may need it
         });
     }
@@ -160,7 +160,7 @@ void MainWindow::MakeSettingsMenu(QMenu* menu)
         {
           if (this->Bench.Data.IsOpen() && this->Bench.Data.Offers(choice))
           {
-            this->Bench.Turn(choice.Row(), turn);
+            this->Bench.Turn(choice.Place(), turn);
           }
         });
       turn > 0 ? menu->addAction(item) : this->addAction(item);
@@ -260,8 +260,8 @@ void MainWindow::ShowRecent(QMenu* menu)
   for (const QString& path : QSettings().value("recent").toStringList())
   {
     // An ampersand would be a shortcut.
-    QAction* item = menu->addAction(
-      QFileInfo(path).fileName().replace('&', "&&"), [this, path] { this->Bench.OpenPath(path); });
+    QAction* item = menu->addAction(QFileInfo(path).fileName().replace('&', "&&"),
+      [this, path] { this->Bench.Try([&] { this->Bench.OpenPath(path); }); });
     item->setToolTip(path);
     item->setStatusTip(path);
     item->setEnabled(QFileInfo::exists(path));
@@ -374,7 +374,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 void MainWindow::dropEvent(QDropEvent* event)
 {
   event->acceptProposedAction();
-  this->Bench.OpenPath(event->mimeData()->urls().front().toLocalFile());
+  this->Bench.Try([&] { this->Bench.OpenPath(event->mimeData()->urls().front().toLocalFile()); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

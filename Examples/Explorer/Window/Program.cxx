@@ -87,7 +87,7 @@ Session FirstSession(const Options& options)
   session.Isovalue = options.Isovalue ? options.Isovalue : session.Isovalue;
   if (options.ThresholdMode)
   {
-    session.Settings.Choices[Choose::Surface] = vtkTemporalCoherenceVolumeMapper::THRESHOLD;
+    session.Settings.Values[Row::Surface] = vtkTemporalCoherenceVolumeMapper::THRESHOLD;
   }
   return session;
 }

@@ -176,16 +176,15 @@ void Workbench::Turn(std::size_t choice, int steps)
   this->EditOnce(AllSettings()[choice].Label,
     [&](Look& look)
     {
-      const int count = static_cast<int>(AllSettings()[choice].Values.size());
-      look.Choices[choice] = (look.Choices[choice] + steps + count) % count;
+      const auto count = static_cast<int>(AllSettings()[choice].Words.size());
+      look.Values[choice] = (static_cast<int>(look.Values[choice]) + steps + count) % count;
     });
 }
 
 double& Workbench::NumberOf(const Setting& number, Look& look)
 {
-  const std::size_t i = number.Row() - Choose::Count;
-  return i == Number::Opacity ? this->Data.MarkersOf(look)[this->Selected()].Opacity
-                              : look.Numbers[i];
+  const std::size_t row = number.Place();
+  return row < Row::Count ? look.Values[row] : this->Data.MarkersOf(look)[this->Selected()].Opacity;
 }
 
 double Workbench::ShareOf(const Setting& number)
@@ -206,9 +205,9 @@ void Workbench::SetShare(const Setting& number, double share)
       const auto [least, most] = this->Data.RangeOf(number);
       this->NumberOf(number, look) = number.IsLogarithmic ? least * std::pow(most / least, share)
                                                           : least + share * (most - least);
-      if (number.Switch < Choose::Count)
+      if (number.Switch < Row::Count)
       {
-        look.Choices[number.Switch] = 1;
+        look.Values[number.Switch] = 1;
       }
     });
 }
@@ -317,23 +316,17 @@ void Workbench::Take(Request& loaded)
 
 void Workbench::OpenPath(const QString& name)
 {
-  this->Try(
-    [&]
-    {
-      const std::string path = QFile::encodeName(name).toStdString();
-      if (IsSessionName(path))
-      {
-        this->SessionFile = path;
-        this->Open(ReadSession(path));
-        return;
-      }
-      Session session;
-      session.Source.Path = path;
-      session.Settings.Choices = this->Data.Settings().Choices;
-      std::copy_n(&this->Data.Settings().Numbers[Number::Shading], 4,
-        &session.Settings.Numbers[Number::Shading]);
-      this->Open(session);
-    });
+  const std::string path = QFile::encodeName(name).toStdString();
+  Session session;
+  session.Source.Path = path;
+  const auto& now = this->Data.Settings().Values;
+  std::copy(now.begin(), now.begin() + Row::Density, session.Settings.Values.begin());
+  if (IsSessionName(path))
+  {
+    this->SessionFile = path;
+    session = ReadSession(path);
+  }
+  this->Open(session);
 }
 
 void Workbench::Ask(const std::function<Request()>& request)
@@ -381,54 +374,45 @@ void Workbench::PrepareDrag()
 
 void Workbench::SaveSession(const std::string& path)
 {
-  this->Try(
-    [&]
-    {
-      this->Data.Save(path);
-      this->SessionFile = path;
-      this->RenderSoon();
-      this->Say("Saved " + path);
-    });
+  this->Data.Save(path);
+  this->SessionFile = path;
+  this->RenderSoon();
+  this->Say("Saved " + path);
 }
 
 // Without a path it is counted up, without a size it is that of the view, as often as chosen.
 void Workbench::SavePicture(const std::string& path, int width, int height)
 {
-  this->Try(
-    [&]
-    {
-      if (this->Builds)
-      {
-        throw UserError("The isomap is being built; wait for it, or stop it with Escape.");
-      }
-      const int scale = std::stoi(this->Data.Settings().TextOf(Choose::Scale));
-      const int* size = this->Data.View.Renderer->GetSize();
-      this->Render();
-      const vtkSmartPointer<vtkImageData> picture = width > 0
-        ? this->Data.View.Picture(width, height)
-        : scale > 1 ? this->Data.View.Picture(scale * size[0], scale * size[1])
-                    : this->Data.View.LastFrame();
-      if (!path.empty())
-      {
-        WritePng(picture, path, "name another file");
-      }
-      this->Say("Saved " + (path.empty() ? this->Output.Save(picture) : path));
-    });
+  if (this->Builds)
+  {
+    throw UserError("The isomap is being built; wait for it, or stop it with Escape.");
+  }
+  const int scale = std::stoi(this->Data.Settings().TextOf(Row::Scale));
+  const int* size = this->Data.View.Renderer->GetSize();
+  const bool isAsSeen = width == 0 && scale == 1;
+  this->Render();
+  const vtkSmartPointer<vtkImageData> picture = isAsSeen
+    ? this->Data.View.LastFrame()
+    : this->Data.View.Picture(
+        width > 0 ? width : scale * size[0], width > 0 ? height : scale * size[1]);
+  if (!path.empty())
+  {
+    WritePng(picture, path, "name another file");
+  }
+  this->Say("Saved " + (path.empty() ? this->Output.Save(picture) : path));
 }
 
 void Workbench::ToggleRecording()
 {
-  this->Try(
-    [this]
-    {
-      if (this->Output.IsRecording())
-      {
-        this->Say(this->Output.Stop());
-        return;
-      }
-      this->Output.Start(this->Data.Settings().TextOf(Choose::Film));
-      this->Say("Recording every frame");
-    });
+  if (this->Output.IsRecording())
+  {
+    this->Say(this->Output.Stop());
+  }
+  else
+  {
+    this->Output.Start(this->Data.Settings().TextOf(Row::Film));
+    this->Say("Recording every frame");
+  }
   emit this->Changed();
 }
 
@@ -489,9 +473,9 @@ void Workbench::AddMarker(const Marker& marker)
 
 void Workbench::AddMarker()
 {
-  const std::array<double, 2>& range = this->Data.Counted().Range;
   Marker marker = this->Markers()[this->Selected()];
-  marker.Value += (marker.Value < 0.5 * (range[0] + range[1]) ? 0.2 : -0.2) * (range[1] - range[0]);
+  const double share = this->Data.ShareOf(marker.Value);
+  marker.Value = this->Data.ValueAt(share + (share < 0.5 ? 0.2 : -0.2));
   this->AddMarker(marker);
 }
 

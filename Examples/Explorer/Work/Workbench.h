@@ -53,7 +53,8 @@ public:
   void SetShare(const Setting& number, double share);
 
   void Open(const Session& session);
-  void OpenPath(const QString& path); // a session, or a volume to be looked at likewise
+  // A session, or a volume to be looked at likewise. Throws UserError.
+  void OpenPath(const QString& path);
   void Ask(const std::function<Request()>& request); // for another array or time step
   void BuildIsomap(bool isAsked = true);             // else nothing is said of it
   void PrepareDrag();                                // of an isovalue
@@ -62,6 +63,7 @@ public:
   const std::string& Doing() const { return this->What; } // what takes long, for people
   bool IsBuilding() const { return this->Builds; }        // an isomap: the view stands still
 
+  // These three throw UserError.
   void SaveSession(const std::string& path);
   void SavePicture(const std::string& path = "", int width = 0, int height = 0);
   void ToggleRecording();

@@ -91,6 +91,22 @@ void ExplorerTests::PanelsShowTheModel()
   QTRY_VERIFY_WITH_TIMEOUT(isomap->isChecked(), Patience);
   isomap->click();
   QCOMPARE(this->Bench->Data.Settings().Values[Row::Isomap], 0.0);
+  // A slider switches on what it is a part of.
+  const Look& look = this->Bench->Data.Settings();
+  const double before = look.Values[Row::Shading];
+  QVERIFY(before > 0.0);
+  this->Window->findChild<QSlider*>("ambient")->setValue(1000);
+  QCOMPARE(look.Values[Row::Shading], 1.0);
+  QCOMPARE(look.Values[Row::OwnShading], 1.0);
+  this->Bench->Changes.undo();
+  QCOMPARE(look.Values[Row::Shading], before);
+  QCOMPARE(look.Values[Row::OwnShading], 0.0);
+  // Each setting that has a name for people has its widget.
+  for (const Setting& setting : AllSettings())
+  {
+    const QString name = setting.IsChoice() ? setting.Name : QString(setting.Label).toLower();
+    QVERIFY2(name.isEmpty() || this->Window->findChild<QWidget*>(name), setting.Label);
+  }
   // Meshes have normals of their own, and surfaces only.
   QVERIFY(!this->Window->findChild<QComboBox*>("gradients")->isVisibleTo(this->Window.get()));
 }

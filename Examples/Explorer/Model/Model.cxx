@@ -202,17 +202,6 @@ void Model::SetSettings(const Look& look, bool isShown)
   }
 }
 
-void Model::Apply()
-{
-  Look& look = this->Current.Settings;
-  this->View.Apply(look);
-  if (look.Values[Row::OwnShading] == 0)
-  {
-    const std::array<double, 4> shading = this->View.Shading();
-    std::copy(shading.begin(), shading.end(), &look.Values[Row::Shading]);
-  }
-}
-
 bool Model::Offers(const Setting& setting) const
 {
   using Data = Setting::Data;

@@ -48,7 +48,7 @@ public:
   // Values are made to fit the data. Draws nothing; with isShown false, nothing that a picture
   // depends on is touched until Apply().
   void SetSettings(const Look& look, bool isShown = true);
-  void Apply();
+  void Apply() { this->View.Apply(this->Current.Settings); }
 
   bool Offers(const Setting& setting) const; // false if it has no effect on what is shown
   std::array<double, 2> RangeOf(const Setting& number) const;

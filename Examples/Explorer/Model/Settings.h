@@ -13,7 +13,7 @@ using Point = std::array<double, 3>;
 using Rgb = std::array<double, 3>; // 0 to 1
 using Box = std::array<double, 6>; // from and to, of x, y and z
 
-// The rows of the table of settings.
+// The rows of the table of settings, in its order.
 struct Row
 {
   enum Which : std::size_t
@@ -72,7 +72,7 @@ struct Look
 };
 
 // A row of the table of settings: one of a few values, or a number. Panels, menus, keys, names of
-// what is undone, sessions and the help are made of the rows.
+// what is undone, sessions and the help are made of the rows; VolumeView::Apply() draws with them.
 struct Setting
 {
   enum class Data
@@ -95,7 +95,7 @@ struct Setting
   // Of a number.
   std::array<double, 2> Range = { 0.0, 1.0 };
   std::optional<std::size_t> Axis = {}; // along which the data's bounds are the range
-  Row::Which Switch = Row::Count;       // is on where the number is set
+  Row::Which Switch = Row::Count;       // goes on with a change; off: not in sessions
   bool IsLogarithmic = false;
 
   bool IsChoice() const { return !this->Words.empty(); }

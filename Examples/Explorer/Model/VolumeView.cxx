@@ -182,20 +182,24 @@ void VolumeView::SetMarkers(const std::vector<Marker>& markers)
   }
 }
 
-void VolumeView::Apply(const Look& look)
+void VolumeView::Apply(Look& look)
 {
   vtkVolumeProperty* property = this->Actor->GetProperty();
   SetPalette(property->GetRGBTransferFunction(), look.Choice(Row::Palette), this->Range);
   SetMaterial(property, look.Choice(Row::Material));
-  if (look.Values[Row::OwnShading] != 0)
+  double* shading = &look.Values[Row::Shading];
+  if (look.Values[Row::OwnShading] != 0.0)
   {
-    const double* shading = &look.Values[Row::Shading];
     property->ShadeOn();
     property->SetAmbient(shading[0]);
     property->SetDiffuse(shading[1]);
     property->SetSpecular(shading[2]);
     property->SetSpecularPower(shading[3]);
   }
+  shading[0] = property->GetAmbient();
+  shading[1] = property->GetDiffuse();
+  shading[2] = property->GetSpecular();
+  shading[3] = property->GetSpecularPower();
   SetLight(this->Renderer, look.Choice(Row::Light));
   const bool areSurfaces = this->HasCells || look.Choice(Row::Drawing) == 0;
   const int drawing = areSurfaces ? 0 : look.Choice(Row::Drawing);
@@ -320,11 +324,4 @@ Rgb VolumeView::ColorOf(const Marker& marker) const
     this->Actor->GetProperty()->GetRGBTransferFunction()->GetColor(marker.Value, color.data());
   }
   return color;
-}
-
-std::array<double, 4> VolumeView::Shading() const
-{
-  vtkVolumeProperty* property = this->Actor->GetProperty();
-  return { property->GetAmbient(), property->GetDiffuse(), property->GetSpecular(),
-    property->GetSpecularPower() };
 }

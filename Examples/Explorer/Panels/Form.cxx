@@ -157,11 +157,12 @@ void Form::AddButtons(const QList<QAction*>& actions)
   this->Add(row);
 }
 
-QAction* Form::NewAction(
-  const QString& label, const QString& help, const std::function<void()>& act)
+QAction* NewAction(
+  QObject* owner, const char* label, const char* help, const std::function<void()>& act)
 {
-  auto* action = new QAction(label, this);
-  action->setToolTip(help);
-  QObject::connect(action, &QAction::triggered, act);
+  auto* action = new QAction(QObject::tr(label), owner);
+  action->setToolTip(QObject::tr(help));
+  action->setStatusTip(QObject::tr(help));
+  QObject::connect(action, &QAction::triggered, owner, act);
   return action;
 }

@@ -20,7 +20,6 @@ public:
   void AddSetting(const Setting& setting);
   void AddSettings(const std::string& panel);
   void AddButtons(const QList<QAction*>& actions); // side by side
-  QAction* NewAction(const QString& label, const QString& help, const std::function<void()>& act);
   // Over the whole width where there is no label.
   void Add(QWidget* widget, const QString& help = "", const QString& label = "");
   void OnChange(const std::function<void()>& refresh); // soon after, and not too often
@@ -34,6 +33,8 @@ private:
 };
 
 // What panels share.
+QAction* NewAction(
+  QObject* owner, const char* label, const char* help, const std::function<void()>& act);
 QColor ToQColor(const Rgb& rgb);
 QString Short(double number); // with as many digits as tell values apart
 

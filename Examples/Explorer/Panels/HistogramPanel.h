@@ -8,6 +8,7 @@
 #include <QPixmap>
 #include <QWidget>
 
+class Model;
 class Workbench;
 
 // The histogram. Over it lie the markers, surfaces or nodes of the opacity of a blended volume:
@@ -42,6 +43,7 @@ private:
   void MoveBy(double steps, double opacity);
 
   Workbench& Bench;
+  const Model& Data;
   bool IsLate = false; // until the next frame
   QPixmap Bars;
   std::vector<double> BarsOf; // what they were made of

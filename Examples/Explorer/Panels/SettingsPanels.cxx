@@ -13,8 +13,7 @@ QWidget* MakeLightPanel(Workbench& bench)
 {
   auto* form = new Form(bench);
   form->AddSettings("Light");
-  form->AddButtons({ form->NewAction(QObject::tr("As the material"),
-    QObject::tr("forget the four sliders' changes"),
+  form->AddButtons({ NewAction(form, "As the material", "forget the four sliders' changes",
     [&bench]
     {
       bench.EditOnce(QObject::tr("material"), [](Look& look) { look.Values[Row::OwnShading] = 0; });
@@ -28,7 +27,7 @@ QWidget* MakeClippingPanel(Workbench& bench)
   const VolumeView& view = bench.Data.View;
   const auto turn = [&](const char* name, const char* help, const auto& change)
   {
-    return form->NewAction(QObject::tr(name), QObject::tr(help),
+    return NewAction(form, name, help,
       [&bench, change]
       {
         bench.EditOnce(QObject::tr("clipping"),

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/Commands.h"
 
-#include "Window/Dialogs.h"
 #include "Work/Workbench.h"
 
 #include <vtkCamera.h>
@@ -38,6 +37,13 @@ void TurnUpsideDown(QMainWindow&, Workbench& bench)
 {
   bench.Data.View.Renderer->GetActiveCamera()->Roll(180.0);
   bench.RenderSoon();
+}
+
+void SavePictureOfWindow(QMainWindow& window, Workbench& bench)
+{
+  const std::string path = bench.Output.NextPath();
+  SaveWindow(window, path);
+  bench.Say("Saved " + path);
 }
 
 void ShowKeys(QMainWindow& window, Workbench&)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Window/Dialogs.h"
+#include "Window/Commands.h"
 
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
@@ -180,13 +180,6 @@ void AskFilm(QMainWindow& window, Workbench& bench)
     MakeFilm(window, bench, static_cast<Motion>(motion->currentIndex()), frames->value(),
       dialog.Width->value(), dialog.Height->value());
   }
-}
-
-void SavePictureOfWindow(QMainWindow& window, Workbench& bench)
-{
-  const std::string path = bench.Output.NextPath();
-  SaveWindow(window, path);
-  bench.Say("Saved " + path);
 }
 
 void SaveWindow(QWidget& window, const std::string& path)

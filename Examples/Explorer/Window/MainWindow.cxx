@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/MainWindow.h"
 
+#include "Panels/Form.h"
 #include "Panels/Panels.h"
 #include "Window/ClipHandles.h"
 #include "Window/Commands.h"
@@ -107,24 +108,20 @@ void MainWindow::MakeMenus()
       ? this->Bench.Changes.createUndoAction(this, tr(command.Name))
       : command.Needs == Command::Need::Redo
       ? this->Bench.Changes.createRedoAction(this, tr(command.Name))
-      : new QAction(tr(command.Name), this);
+      : NewAction(this, command.Name, command.Help,
+          [this, &command]
+          {
+            this->Bench.Try([&] { command.Do(*this, this->Bench); });
+            this->ShowState(); // at once, as the next key may need it
+          });
     menu->addAction(item);
-    if (command.Do)
-    {
-      QObject::connect(item, &QAction::triggered, this,
-        [this, &command]
-        {
-          this->Bench.Try([&] { command.Do(*this, this->Bench); });
-          this->ShowState(); // at once, as the next key may need it
-        });
-    }
+    item->setToolTip(tr(command.Help));
+    item->setStatusTip(tr(command.Help));
     // Qt 6 takes an empty list for one key that is unknown.
     if (*command.Keys)
     {
       item->setShortcuts(QKeySequence::listFromString(command.Keys));
     }
-    item->setToolTip(tr(command.Help));
-    item->setStatusTip(tr(command.Help));
     this->Actions[QString(command.Name).remove('&')] = item;
   }
   QMenu* recent = new QMenu(tr("Open &Recent"), this);
@@ -149,13 +146,13 @@ void MainWindow::MakeSettingsMenu(QMenu* menu)
 {
   for (const Setting& choice : AllSettings())
   {
-    for (const int turn : choice.Key ? std::vector<int>{ 1, -1 } : std::vector<int>{})
+    if (!choice.Key)
     {
-      auto* item = new QAction(tr(choice.Label), this);
-      item->setShortcut(QKeySequence(QString(turn > 0 ? "%1" : "Shift+%1").arg(choice.Key)));
-      item->setToolTip(tr(choice.Help));
-      item->setStatusTip(tr(choice.Help));
-      QObject::connect(item, &QAction::triggered, this,
+      continue;
+    }
+    for (const int turn : { 1, -1 })
+    {
+      QAction* item = NewAction(this, choice.Label, choice.Help,
         [this, &choice, turn]
         {
           if (this->Bench.Data.IsOpen() && this->Bench.Data.Offers(choice))
@@ -163,6 +160,7 @@ void MainWindow::MakeSettingsMenu(QMenu* menu)
             this->Bench.Turn(choice.Place(), turn);
           }
         });
+      item->setShortcut(QKeySequence(QString(turn > 0 ? "%1" : "Shift+%1").arg(choice.Key)));
       turn > 0 ? menu->addAction(item) : this->addAction(item);
     }
   }
@@ -307,28 +305,25 @@ void MainWindow::ShowState()
     areSurfaces ? tr("&Remove Surface") : tr("&Remove Node"));
   this->Actions["Record"]->setText(
     this->Bench.Output.IsRecording() ? tr("&End Recording") : tr("&Record"));
-  const auto showProgress = [this]
-  {
-    const bool isBusy = this->Bench.IsBusy();
-    this->Progress->setVisible(isBusy);
-    this->StopButton->setVisible(isBusy);
-  };
   if (!this->Bench.IsBusy())
   {
-    showProgress();
+    this->ShowProgress();
   }
   else if (!this->StopButton->isVisible())
   {
     this->Progress->setRange(0, 0);
-    QTimer::singleShot(ProgressAfter, this,
-      [this, showProgress]
-      {
-        showProgress();
-        if (this->Bench.IsBusy())
-        {
-          this->Sentence->setText(QString::fromStdString(this->Bench.Doing()));
-        }
-      });
+    QTimer::singleShot(ProgressAfter, this, &MainWindow::ShowProgress);
+  }
+}
+
+void MainWindow::ShowProgress()
+{
+  const bool isBusy = this->Bench.IsBusy();
+  this->Progress->setVisible(isBusy);
+  this->StopButton->setVisible(isBusy);
+  if (isBusy)
+  {
+    this->Sentence->setText(QString::fromStdString(this->Bench.Doing()));
   }
 }
 

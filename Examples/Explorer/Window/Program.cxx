@@ -6,7 +6,6 @@
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 #include "Window/Commands.h"
-#include "Window/Dialogs.h"
 #include "Window/MainWindow.h"
 
 #include <QApplication>

@@ -212,7 +212,7 @@ void Workbench::SetShare(const Setting& number, double share)
     });
 }
 
-// Does the job in// Does the job in a thread, and in this one what is done with its result.
+// Does the job in a thread, and in this one what is done with its result.
 void Workbench::Start(const std::string& what, const Job& job, const std::function<void()>& done)
 {
   this->IsStopped = false;

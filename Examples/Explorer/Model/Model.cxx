@@ -202,15 +202,6 @@ void Model::SetSettings(const Look& look, bool isShown)
   }
 }
 
-bool Model::Offers(const Setting& setting) const
-{
-  using Data = Setting::Data;
-  const bool isMesh = this->View.IsMesh(), areSurfaces = this->DrawsSurfaces();
-  return setting.For == Data::Any || (setting.For == Data::Meshes && isMesh) ||
-    (setting.For == Data::Images && !isMesh) || (setting.For == Data::Surfaces && areSurfaces) ||
-    (setting.For == Data::Blended && !areSurfaces);
-}
-
 std::array<double, 2> Model::RangeOf(const Setting& number) const
 {
   const double* along = number.Axis ? &this->View.DataBounds()[2 * *number.Axis] : nullptr;

@@ -50,12 +50,13 @@ public:
   void SetSettings(const Look& look, bool isShown = true);
   void Apply() { this->View.Apply(this->Current.Settings); }
 
-  bool Offers(const Setting& setting) const; // false if it has no effect on what is shown
+  // False if it has no effect on what is shown.
+  bool Offers(const Setting& row) const { return !row.For || (this->*row.For)(); }
   std::array<double, 2> RangeOf(const Setting& number) const;
-  bool DrawsSurfaces() const
-  {
-    return this->View.IsMesh() || this->Settings().Values[Row::Drawing] == 0;
-  }
+  bool DrawsMesh() const { return this->View.IsMesh(); }
+  bool DrawsImage() const { return !this->View.IsMesh(); }
+  bool Blends() const { return this->DrawsImage() && this->Settings().Values[Row::Drawing] != 0.0; }
+  bool DrawsSurfaces() const { return !this->Blends(); }
   // The surfaces, or the nodes of the blended volume.
   auto MarkersIn() const { return this->DrawsSurfaces() ? &Look::Surfaces : &Look::Nodes; }
   std::vector<Marker>& MarkersOf(Look& look) const { return look.*this->MarkersIn(); }

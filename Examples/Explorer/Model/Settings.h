@@ -43,6 +43,8 @@ struct Row
   };
 };
 
+class Model;
+
 // A surface at an isovalue, or a node of the opacity of a blended volume.
 struct Marker
 {
@@ -75,22 +77,13 @@ struct Look
 // what is undone, sessions and the help are made of the rows; VolumeView::Apply() draws with them.
 struct Setting
 {
-  enum class Data
-  {
-    Any,
-    Meshes,
-    Images, // and rectilinear grids
-    Surfaces,
-    Blended, // volumes
-  };
-
   const char* Name;  // in sessions, where rows of one name share a line; none: in no line
   const char* Label; // for people
   const char* Help;
   const char* Panel; // and part of it; none: neither a panel nor a menu has it
   char Key;
-  std::vector<const char*> Words; // of a choice; none: it is a number
-  Data For = Data::Any;           // it has no effect on others
+  std::vector<const char*> Words;       // of a choice; none: it is a number
+  bool (Model::*For)() const = nullptr; // null: for any data, drawn in any way
   double Default = 0.0;
   // Of a number.
   std::array<double, 2> Range = { 0.0, 1.0 };

@@ -37,14 +37,6 @@ QString Directory(const Workbench& bench)
   return QFileInfo(QFile::decodeName(bench.Data.State().Source.Path.c_str())).absolutePath();
 }
 
-void Open(Workbench& bench, const QString& path)
-{
-  if (!path.isEmpty())
-  {
-    bench.OpenPath(path);
-  }
-}
-
 // How large a picture is to be, and what else is asked for.
 class SizeDialog : public QDialog
 {
@@ -117,16 +109,14 @@ void MakeFilm(QWidget& over, Workbench& bench, Motion motion, int frames, int wi
 
 void AskOpen(QMainWindow& window, Workbench& bench)
 {
-  Open(bench,
-    QFileDialog::getOpenFileName(
-      &window, QObject::tr("Open a volume or a session"), Directory(bench)));
+  bench.OpenPath(QFileDialog::getOpenFileName(
+    &window, QObject::tr("Open a volume or a session"), Directory(bench)));
 }
 
 void AskOpenFolder(QMainWindow& window, Workbench& bench)
 {
-  Open(bench,
-    QFileDialog::getExistingDirectory(
-      &window, QObject::tr("Open a folder of DICOM files"), Directory(bench)));
+  bench.OpenPath(QFileDialog::getExistingDirectory(
+    &window, QObject::tr("Open a folder of DICOM files"), Directory(bench)));
 }
 
 void AskSaveSession(QMainWindow& window, Workbench& bench)

@@ -217,34 +217,26 @@ void Workbench::Start(const std::string& what, const Job& job, const std::functi
 {
   this->IsStopped = false;
   this->What = what;
-  this->Thread = std::thread(
-    [this, job, done]
+  const Progress tell = [this, told = 0.0](double share) mutable
+  {
+    if (share > told + ProgressStep)
     {
-      std::exception_ptr failure;
-      try
-      {
-        double told = 0.0;
-        job(
-          [this, &told](double share)
-          {
-            if (share > told + ProgressStep)
-            {
-              told = share;
-              QMetaObject::invokeMethod(this, [this, share] { emit this->Progressed(share); });
-            }
-            return !this->IsStopped;
-          });
-      }
-      catch (...)
-      {
-        failure = std::current_exception();
-      }
-      QMetaObject::invokeMethod(this, [=] { this->Finish(failure, done); });
+      told = share;
+      QMetaObject::invokeMethod(this, [this, share] { emit this->Progressed(share); });
+    }
+    return !this->IsStopped;
+  };
+  const auto task = std::make_shared<std::packaged_task<void()>>([=] { job(tell); });
+  this->Thread = std::thread(
+    [=]
+    {
+      (*task)();
+      QMetaObject::invokeMethod(this, [=] { this->Finish(*task, done); });
     });
   emit this->Changed();
 }
 
-void Workbench::Finish(const std::exception_ptr& failure, const std::function<void()>& done)
+void Workbench::Finish(std::packaged_task<void()>& task, const std::function<void()>& done)
 {
   this->Thread.join();
   if (std::exchange(this->Builds, false))
@@ -260,10 +252,7 @@ void Workbench::Finish(const std::exception_ptr& failure, const std::function<vo
   this->Try(
     [&]
     {
-      if (failure)
-      {
-        std::rethrow_exception(failure);
-      }
+      task.get_future().get(); // throws what the job has thrown
       done();
     });
   emit this->Changed();
@@ -316,6 +305,10 @@ void Workbench::Take(Request& loaded)
 
 void Workbench::OpenPath(const QString& name)
 {
+  if (name.isEmpty())
+  {
+    return; // the dialog was left
+  }
   const std::string path = QFile::encodeName(name).toStdString();
   Session session;
   session.Source.Path = path;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <future>
 #include <thread>
 
 class vtkRenderWindow;
@@ -101,7 +102,7 @@ private:
   double& NumberOf(const Setting& number, Look& look);
   using Job = std::function<void(const Progress&)>;
   void Start(const std::string& what, const Job& job, const std::function<void()>& done);
-  void Finish(const std::exception_ptr& failure, const std::function<void()>& done);
+  void Finish(std::packaged_task<void()>& task, const std::function<void()>& done);
   void Load(Request request);
   void Take(Request& loaded);
   void ListenToMapper();

@@ -13,7 +13,7 @@ add_subdirectory("${examples}/Common" Files/ExamplesCommon)
 # The programs have headers of the same names, so each way has a library of its own.
 add_library(DrawInExplorer STATIC
   "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInExplorer.cxx"
-  "${examples}/Explorer/Model/Look.cxx"
+  "${examples}/Explorer/Model/Settings.cxx"
   "${examples}/Explorer/Model/Model.cxx"
   "${examples}/Explorer/Model/Session.cxx"
   "${examples}/Explorer/Model/VolumeView.cxx")

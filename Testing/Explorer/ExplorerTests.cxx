@@ -20,6 +20,11 @@ Session SmallSession()
   return session;
 }
 
+void SetNumbers(Look& look, Row::Which first, const std::vector<double>& values)
+{
+  std::copy(values.begin(), values.end(), &look.Values[first]);
+}
+
 bool AreSame(vtkImageData* a, vtkImageData* b)
 {
   const auto bytes = [](vtkImageData* image)

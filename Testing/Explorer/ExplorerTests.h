@@ -19,6 +19,7 @@ constexpr int Spheres = 32;
 constexpr int Patience = 60000; // ms until what has not happened is a failure
 
 Session SmallSession();
+void SetNumbers(Look& look, Row::Which first, const std::vector<double>& values);
 bool AreSame(vtkImageData* a, vtkImageData* b);
 void Write(const QString& path, const std::string& text);
 std::string TextOf(const QString& path);

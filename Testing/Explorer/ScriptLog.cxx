@@ -64,11 +64,11 @@ void ScriptLog::TellFrame(double windowMs)
 void ScriptLog::TellChoices()
 {
   const Look& look = this->Bench.Data.Settings();
-  for (const Choice& choice : AllChoices())
+  for (std::size_t i = 0; i < Row::Count; ++i)
   {
-    if (look.Choices[choice.What] != this->Told.Choices[choice.What])
+    if (AllSettings()[i].Key && look.Values[i] != this->Told.Values[i])
     {
-      this->Tell(choice.Name, look.TextOf(choice.What));
+      this->Tell(AllSettings()[i].Name, look.TextOf(static_cast<Row::Which>(i)));
     }
   }
   this->Told = look;

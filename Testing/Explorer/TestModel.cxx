@@ -83,13 +83,13 @@ void ExplorerTests::SessionsAreRepeated()
   session.Settings.Surfaces = { { 40.0, 0.25, true, Rgb{ 0.5, 0.25, 1.0 } }, { 90.5, 1.0, false } };
   session.Settings.Nodes = { { 0.0, 0.0 }, { 50.0, 0.125, true, Rgb{ 1.0, 0.0, 0.0 } },
     { 99.0, 1.0 } };
-  session.Settings.Density = 2.5;
-  session.Settings.HasShading = true;
-  session.Settings.Choices[Choose::Clipping] = session.Settings.Choices[Choose::Cropping] = 1;
+  session.Settings.Values[Row::Density] = 2.5;
+  session.Settings.Values[Row::OwnShading] = 1;
+  session.Settings.Values[Row::Clipping] = session.Settings.Values[Row::Cropping] = 1.0;
   session.Settings.Clip = Plane{ { 0.0, 12.5, 0.0 }, { 0.0, 1.0, 0.0 } };
-  session.Settings.Crop = { 4.5, 28.5, 0.0, 31.0, 5.0, 31.0 };
-  session.Settings.Shading = { 0.1, 0.2, 0.3, 40.0 };
-  session.Settings.Choices[Choose::Drawing] = 1;
+  SetNumbers(session.Settings, Row::Crop, { 4.5, 28.5, 0.0, 31.0, 5.0, 31.0 });
+  SetNumbers(session.Settings, Row::Shading, { 0.1, 0.2, 0.3, 40.0 });
+  session.Settings.Values[Row::Drawing] = 1;
   const QString first = this->Directory.filePath("first.session");
   const QString second = this->Directory.filePath("second.session");
   WriteSession(session, first.toStdString());
@@ -109,10 +109,11 @@ void ExplorerTests::SettingsAreFitted()
   Look look = this->Bench->Data.Settings();
   look.Surfaces = { { 1e9, 7.0 }, { -1e9, -7.0 } };
   look.Nodes = { { 50.0, 2.0 }, { 40.0, -1.0 } };
-  look.Crop = { 1e9, -1e9, 0.0, 0.1, -1e9, 1e9 };
-  look.Choices[Choose::Clipping] = 1;
+  SetNumbers(look, Row::Crop, { 1e9, -1e9, 0.0, 0.1, -1e9, 1e9 });
+  look.Values[Row::Clipping] = 1;
   look.Clip = Plane{};
-  look.Shading = { -1.0, 2.0, 0.5, 1e9 };
+  look.Values[Row::OwnShading] = 1;
+  SetNumbers(look, Row::Shading, { -1.0, 2.0, 0.5, 1e9 });
   this->Bench->Data.SetSettings(look);
   const Look& fitted = this->Bench->Data.Settings();
   const auto& range = this->Bench->Data.Counted().Range;
@@ -120,25 +121,25 @@ void ExplorerTests::SettingsAreFitted()
   QCOMPARE(fitted.Surfaces[1].Value, range[0]);
   QCOMPARE(fitted.Surfaces[0].Opacity, 1.0);
   QVERIFY(fitted.Nodes[0].Value <= fitted.Nodes[1].Value);
-  QVERIFY(fitted.Crop[0] <= fitted.Crop[1]);
+  QVERIFY(fitted.Values[Row::Crop] <= fitted.Values[Row::Crop + 1]);
   // A plane without a direction is not drawn: another one is.
   QVERIFY(std::abs(vtkMath::Norm(fitted.Clip.Normal.data()) - 1.0) < 1e-12);
-  QCOMPARE(fitted.Shading[0], 0.0);
+  QCOMPARE(fitted.Values[Row::Shading], 0.0);
   this->Bench->Data.View.Picture(Width, Height);
 }
 
 void ExplorerTests::WaysToDrawDiffer()
 {
   std::vector<vtkSmartPointer<vtkImageData>> pictures;
-  const std::size_t count = AllChoices()[Choose::Drawing].Values.size();
+  const std::size_t count = AllSettings()[Row::Drawing].Words.size();
   for (std::size_t i = 0; i < count; ++i)
   {
     pictures.push_back(this->Bench->Data.View.Picture(Width, Height));
     for (std::size_t j = 0; j < i; ++j)
     {
-      QVERIFY2(!AreSame(pictures[i], pictures[j]), AllChoices()[Choose::Drawing].Values[i]);
+      QVERIFY2(!AreSame(pictures[i], pictures[j]), AllSettings()[Row::Drawing].Words[i]);
     }
-    this->Bench->Turn(Choose::Drawing, 1);
+    this->Bench->Turn(Row::Drawing, 1);
   }
   QVERIFY(AreSame(pictures[0], this->Bench->Data.View.Picture(Width, Height)));
 }

@@ -51,7 +51,7 @@ void ExplorerTests::TheHistogramMovesIsovalues()
 void ExplorerTests::TheHistogramMovesOpacities()
 {
   HistogramPanel* histogram = this->Window->Histogram();
-  this->Bench->Turn(Choose::Drawing, 1);
+  this->Bench->Turn(Row::Drawing, 1);
   const auto nodes = [this]() -> const std::vector<Marker>&
   { return this->Bench->Data.Settings().Nodes; };
   const std::size_t before = nodes().size();
@@ -85,12 +85,28 @@ void ExplorerTests::TheTableChangesSurfaces()
 void ExplorerTests::PanelsShowTheModel()
 {
   auto* palette = this->Window->findChild<QComboBox*>("palette");
-  this->Bench->Turn(Choose::Palette, 2);
+  this->Bench->Turn(Row::Palette, 2);
   QTRY_COMPARE_WITH_TIMEOUT(palette->currentText(), QString("steel"), Patience);
   auto* isomap = this->Window->findChild<QAbstractButton*>("isomap");
   QTRY_VERIFY_WITH_TIMEOUT(isomap->isChecked(), Patience);
   isomap->click();
-  QVERIFY(!this->Bench->Data.Settings().Choices[Choose::Isomap]);
+  QCOMPARE(this->Bench->Data.Settings().Values[Row::Isomap], 0.0);
+  // A slider switches on what it is a part of.
+  const Look& look = this->Bench->Data.Settings();
+  const double before = look.Values[Row::Shading];
+  QVERIFY(before > 0.0);
+  this->Window->findChild<QSlider*>("ambient")->setValue(1000);
+  QCOMPARE(look.Values[Row::Shading], 1.0);
+  QCOMPARE(look.Values[Row::OwnShading], 1.0);
+  this->Bench->Changes.undo();
+  QCOMPARE(look.Values[Row::Shading], before);
+  QCOMPARE(look.Values[Row::OwnShading], 0.0);
+  // Each setting that has a name for people has its widget.
+  for (const Setting& setting : AllSettings())
+  {
+    const QString name = setting.IsChoice() ? setting.Name : QString(setting.Label).toLower();
+    QVERIFY2(name.isEmpty() || this->Window->findChild<QWidget*>(name), setting.Label);
+  }
   // Meshes have normals of their own, and surfaces only.
   QVERIFY(!this->Window->findChild<QComboBox*>("gradients")->isVisibleTo(this->Window.get()));
 }
@@ -99,15 +115,15 @@ void ExplorerTests::ClippingAndCropping()
 {
   const auto whole = this->Bench->Data.View.Picture(Width, Height);
   this->Window->findChild<QAbstractButton*>("clipping")->click();
-  QVERIFY(this->Bench->Data.Settings().Choices[Choose::Clipping]);
+  QVERIFY(this->Bench->Data.Settings().Values[Row::Clipping] != 0.0);
   const auto clipped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, clipped));
   this->Window->findChild<QAbstractButton*>("clipping")->click();
   this->Bench->Edit("cropping",
     [](Look& look)
     {
-      look.Choices[Choose::Cropping] = 1;
-      look.Crop = { 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 };
+      look.Values[Row::Cropping] = 1;
+      SetNumbers(look, Row::Crop, { 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 });
     });
   const auto cropped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, cropped));

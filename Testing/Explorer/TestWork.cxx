@@ -21,7 +21,7 @@ void ExplorerTests::TheWindowAnswersWhileReading()
   QCOMPARE(this->Bench->Data.State().Source.Spheres, Spheres);
   // Meanwhile what is shown is drawn, and changed.
   QSignalSpy frames(this->Bench.get(), &Workbench::FrameDrawn);
-  this->Bench->Turn(Choose::Palette, 1);
+  this->Bench->Turn(Row::Palette, 1);
   this->Bench->Render();
   QCOMPARE(frames.count(), 1);
   QVERIFY(opened.wait(Patience));
@@ -51,7 +51,7 @@ void ExplorerTests::TheWindowAnswersWhileAnIsomapIsBuilt()
   QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
   QVERIFY(said.last()[0].toString().contains("is built"));
   // Stopped before the event loop has run, so before it can be done.
-  this->Bench->Turn(Choose::Surface, 1);
+  this->Bench->Turn(Row::Surface, 1);
   this->Bench->BuildIsomap();
   this->Bench->Cancel();
   QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
@@ -76,10 +76,10 @@ void ExplorerTests::ChangesAreUndone()
   {
     this->Bench->Edit("isovalue", [=](Look& look) { look.Surfaces[0].Value = value; });
   }
-  this->Bench->Turn(Choose::Light, 1);
+  this->Bench->Turn(Row::Light, 1);
   QCOMPARE(this->Bench->Changes.count(), 2);
   this->Bench->Changes.undo();
-  QCOMPARE(this->Bench->Data.Settings().Choices[Choose::Light], 0);
+  QCOMPARE(this->Bench->Data.Settings().Values[Row::Light], 0.0);
   QCOMPARE(*this->Bench->Data.State().Isovalue, 70.0);
   this->Bench->Changes.undo();
   QCOMPARE(*this->Bench->Data.State().Isovalue, before);

@@ -174,22 +174,20 @@ Look Model::Fitted(Look look) const
   Fit(look.Surfaces, range, false);
   look.Nodes = look.Nodes.size() < 2 ? FirstRamp(range, look.Surfaces[0].Value) : look.Nodes;
   Fit(look.Nodes, range, true);
-  look.Density = std::clamp(look.Density, 1e-3, 1e3);
   double* normal = look.Clip.Normal.data();
   if (!(vtkMath::Norm(normal) < 1e15 && vtkMath::Normalize(normal) > 1e-15 &&
         vtkMath::Norm(look.Clip.Origin.data()) < 1e15))
   {
-    look.Clip = look.Choices[Choose::Clipping] != 0 ? this->View.MiddlePlane() : Plane{};
+    look.Clip = look.Values[Row::Clipping] != 0 ? this->View.MiddlePlane() : Plane{};
   }
-  const Box& box = this->View.DataBounds();
-  for (std::size_t i = 0; i < 6; ++i)
+  for (std::size_t row = Row::Shading; row < Row::Count; ++row)
   {
-    const double from = i % 2 == 1 ? look.Crop[i - 1] : box[i];
-    look.Crop[i] = std::clamp(look.Crop[i], from, box[i | 1]);
+    const auto [least, most] = this->RangeOf(AllSettings()[row]);
+    look.Values[row] = std::clamp(look.Values[row], least, most);
   }
-  for (std::size_t i = 0; i < 4; ++i)
+  for (std::size_t to = Row::Crop + 1; to < Row::Count; to += 2)
   {
-    look.Shading[i] = std::clamp(look.Shading[i], 0.0, i < 3 ? 1.0 : 200.0);
+    look.Values[to] = std::max(look.Values[to - 1], look.Values[to]);
   }
   return look;
 }
@@ -204,11 +202,10 @@ void Model::SetSettings(const Look& look, bool isShown)
   }
 }
 
-bool Model::Offers(const Choice& choice) const
+std::array<double, 2> Model::RangeOf(const Setting& number) const
 {
-  const bool isForData =
-    choice.For == Choice::Data::Any || (choice.For == Choice::Data::Meshes) == this->View.IsMesh();
-  return isForData && (choice.What != Choose::Surface || this->DrawsSurfaces());
+  const double* along = number.Axis ? &this->View.DataBounds()[2 * *number.Axis] : nullptr;
+  return along ? std::array<double, 2>{ along[0], along[1] } : number.Range;
 }
 
 void Model::ResetView()
@@ -238,7 +235,7 @@ std::vector<double> Model::PresentSight()
   const CameraState camera = this->View.Camera();
   const int* size = this->View.Renderer->GetSize();
   std::vector<double> sight = { camera.ViewAngle, 1.0 * size[0], 1.0 * size[1],
-    1.0 * this->Settings().Choices[Choose::Surface] };
+    this->Settings().Values[Row::Surface] };
   for (const Point& point : { camera.Position, camera.FocalPoint, camera.ViewUp })
   {
     sight.insert(sight.end(), point.begin(), point.end());
@@ -248,7 +245,7 @@ std::vector<double> Model::PresentSight()
 
 bool Model::WantsIsomapAhead()
 {
-  const auto& choices = this->Settings().Choices;
-  return this->IsOpen() && this->DrawsSurfaces() && choices[Choose::Ahead] != 0 &&
-    choices[Choose::Isomap] != 0 && this->Ahead != this->PresentSight();
+  const auto& values = this->Settings().Values;
+  return this->IsOpen() && this->DrawsSurfaces() && values[Row::Ahead] != 0 &&
+    values[Row::Isomap] != 0 && this->Ahead != this->PresentSight();
 }

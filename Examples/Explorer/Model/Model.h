@@ -50,15 +50,26 @@ public:
   void SetSettings(const Look& look, bool isShown = true);
   void Apply() { this->View.Apply(this->Current.Settings); }
 
-  bool Offers(const Choice& choice) const; // false if it has no effect on what is shown
-  bool DrawsSurfaces() const
-  {
-    return this->View.IsMesh() || this->Settings().Choices[Choose::Drawing] == 0;
-  }
+  // False if it has no effect on what is shown.
+  bool Offers(const Setting& row) const { return !row.For || (this->*row.For)(); }
+  std::array<double, 2> RangeOf(const Setting& number) const;
+  bool DrawsMesh() const { return this->View.IsMesh(); }
+  bool DrawsImage() const { return !this->View.IsMesh(); }
+  bool Blends() const { return this->DrawsImage() && this->Settings().Values[Row::Drawing] != 0.0; }
+  bool DrawsSurfaces() const { return !this->Blends(); }
   // The surfaces, or the nodes of the blended volume.
   auto MarkersIn() const { return this->DrawsSurfaces() ? &Look::Surfaces : &Look::Nodes; }
   std::vector<Marker>& MarkersOf(Look& look) const { return look.*this->MarkersIn(); }
   const std::vector<Marker>& Markers() const { return this->Settings().*this->MarkersIn(); }
+  // Values by their place in the range, 0 to 1.
+  double ValueAt(double share) const
+  {
+    return this->Samples.Range[0] + share * (this->Samples.Range[1] - this->Samples.Range[0]);
+  }
+  double ShareOf(double value) const
+  {
+    return (value - this->Samples.Range[0]) / (this->Samples.Range[1] - this->Samples.Range[0]);
+  }
   // One of as many as 8 bits have.
   double StepOfValues() const { return (this->Samples.Range[1] - this->Samples.Range[0]) / 256.0; }
 

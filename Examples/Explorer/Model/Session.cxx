@@ -76,14 +76,26 @@ public:
     }
     this->Text << text;
   }
-  void Take(int& index, const std::vector<const char*>& words)
+  void Take(double& index, const std::vector<const char*>& words)
   {
     std::string word = words[static_cast<std::size_t>(index)];
     this->Take(word);
     word = word == "bounded" ? "exact" : word; // an accuracy of versions 0.1 and 0.2
     const auto at = std::find(words.begin(), words.end(), word);
     Expect(at != words.end());
-    index = static_cast<int>(at - words.begin());
+    index = static_cast<double>(at - words.begin());
+  }
+  void Take(bool& isOn)
+  {
+    double index = isOn;
+    this->Take(index, { "off", "on" });
+    isOn = index != 0.0;
+  }
+  void Take(RawLayout& raw)
+  {
+    std::string text = this->IsRead ? "" : RawAsText(raw);
+    this->Take(text);
+    raw = this->IsRead ? ParseRaw(text) : raw;
   }
   template <std::size_t Count>
   void Take(std::array<double, Count>& numbers)
@@ -93,14 +105,16 @@ public:
       this->Take(number);
     }
   }
-  void Take(std::optional<double>& number)
-  {
-    double value = number.value_or(0.0);
-    bool isSet = number.has_value();
-    this->TakeIf(isSet, value);
-    number = isSet ? std::optional(value) : std::nullopt;
-  }
   // A line that there is only if what it says is set.
+  template <typename Value>
+  void Take(std::optional<Value>& value)
+  {
+    value = this->IsRead ? Value{} : value;
+    if (value)
+    {
+      this->Take(*value);
+    }
+  }
   template <typename Flag, typename... Values>
   void TakeIf(Flag& isSet, Values&... values)
   {
@@ -109,12 +123,6 @@ public:
     {
       (this->Take(values), ...);
     }
-  }
-  void Take(std::optional<RawLayout>& raw)
-  {
-    std::string text = raw ? RawAsText(*raw) : "";
-    this->Take(text);
-    raw = text.empty() ? raw : ParseRaw(text);
   }
   // A row of numbers each, with a semicolon between.
   void Take(std::vector<Marker>& markers, bool areSurfaces)
@@ -153,9 +161,9 @@ private:
       this->Take(isVisible);
       marker.IsVisible = isVisible != 0.0;
     }
-    if (marker.Color || (this->IsRead && this->HasMore()))
+    if (!this->IsRead || this->HasMore())
     {
-      this->Take(marker.Color ? *marker.Color : marker.Color.emplace());
+      this->Take(marker.Color);
     }
   }
 
@@ -168,6 +176,24 @@ struct Field
   std::function<void(Line&)> Take;
 };
 
+// All rows of a name.
+void TakeSettings(Line& line, const std::string& name, Look& look)
+{
+  double isAlways = 1.0;
+  for (const Setting& setting : AllSettings())
+  {
+    if (setting.Name == name && setting.IsChoice())
+    {
+      line.Take(look.Values[setting.Place()], setting.Words);
+    }
+    else if (setting.Name == name)
+    {
+      line.TakeIf(setting.Switch < Row::Count ? look.Values[setting.Switch] : isAlways,
+        look.Values[setting.Place()]);
+    }
+  }
+}
+
 // The lines of a file about this session.
 std::vector<Field> FieldsOf(Session& session)
 {
@@ -175,18 +201,11 @@ std::vector<Field> FieldsOf(Session& session)
   Look& look = session.Settings;
   CameraState& camera = session.Camera;
   bool& hasCamera = session.HasCamera;
-  static const std::vector<const char*> onOff = { "off", "on" };
   std::vector<Field> fields = {
     { "spheres", [&](Line& line) { line.Take(source.Spheres, 1, 2048); } },
     { "volume", [&](Line& line) { line.Take(source.Path); } },
     { "raw", [&](Line& line) { line.Take(source.Raw); } },
-    { "big-endian",
-      [&](Line& line)
-      {
-        int isBig = source.BigEndian;
-        line.Take(isBig, onOff);
-        source.BigEndian = isBig != 0;
-      } },
+    { "big-endian", [&](Line& line) { line.Take(source.BigEndian); } },
     { "array", [&](Line& line) { line.Take(source.Array); } },
     { "time-step", [&](Line& line) { line.Take(source.TimeStep, 1, INT_MAX); } },
     { "isovalue", [&](Line& line) { line.Take(session.Isovalue); } },
@@ -197,17 +216,17 @@ std::vector<Field> FieldsOf(Session& session)
     { "component", [&](Line& line) { line.Take(session.Component, -1, 4095); } },
     { "surfaces", [&](Line& line) { line.Take(look.Surfaces, true); } },
     { "opacity", [&](Line& line) { line.Take(look.Nodes, false); } },
-    { "density", [&](Line& line) { line.Take(look.Density); } },
     { "clip",
       [&](Line& line)
-      { line.TakeIf(look.Choices[Choose::Clipping], look.Clip.Origin, look.Clip.Normal); } },
-    { "crop", [&](Line& line) { line.TakeIf(look.Choices[Choose::Cropping], look.Crop); } },
-    { "shading", [&](Line& line) { line.TakeIf(look.HasShading, look.Shading); } },
+      { line.TakeIf(look.Values[Row::Clipping], look.Clip.Origin, look.Clip.Normal); } },
   };
-  for (const Choice& choice : AllChoices())
+  for (const Setting& setting : AllSettings())
   {
-    fields.push_back(
-      { choice.Name, [&](Line& line) { line.Take(look.Choices[choice.What], choice.Values); } });
+    if (*setting.Name && setting.Name != fields.back().Key)
+    {
+      fields.push_back(
+        { setting.Name, [&](Line& line) { TakeSettings(line, setting.Name, look); } });
+    }
   }
   return fields;
 }

@@ -3,7 +3,7 @@
 #ifndef Session_h
 #define Session_h
 
-#include "Model/Look.h"
+#include "Model/Settings.h"
 #include "Program/VolumeSource.h"
 
 #include <string>

@@ -28,7 +28,7 @@ namespace
 constexpr std::array<double, 3> Background = { 16.0, 18.0, 22.0 }; // of 255
 constexpr double ShareFilled = 0.85; // of the view, by the volume's box
 
-// The blend modes of Choose::Drawing.
+// The blend modes of Row::Drawing.
 constexpr std::array<int, 6> BlendModes = { vtkVolumeMapper::ISOSURFACE_BLEND,
   vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
   vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, vtkVolumeMapper::AVERAGE_INTENSITY_BLEND,
@@ -182,45 +182,50 @@ void VolumeView::SetMarkers(const std::vector<Marker>& markers)
   }
 }
 
-void VolumeView::Apply(const Look& look)
+void VolumeView::Apply(Look& look)
 {
-  const auto& choices = look.Choices;
   vtkVolumeProperty* property = this->Actor->GetProperty();
-  SetPalette(property->GetRGBTransferFunction(), choices[Choose::Palette], this->Range);
-  SetMaterial(property, choices[Choose::Material]);
-  if (look.HasShading)
+  SetPalette(property->GetRGBTransferFunction(), look.Choice(Row::Palette), this->Range);
+  SetMaterial(property, look.Choice(Row::Material));
+  double* shading = &look.Values[Row::Shading];
+  if (look.Values[Row::OwnShading] != 0.0)
   {
     property->ShadeOn();
-    property->SetAmbient(look.Shading[0]);
-    property->SetDiffuse(look.Shading[1]);
-    property->SetSpecular(look.Shading[2]);
-    property->SetSpecularPower(look.Shading[3]);
+    property->SetAmbient(shading[0]);
+    property->SetDiffuse(shading[1]);
+    property->SetSpecular(shading[2]);
+    property->SetSpecularPower(shading[3]);
   }
-  SetLight(this->Renderer, choices[Choose::Light]);
-  const bool areSurfaces = this->HasCells || choices[Choose::Drawing] == 0;
-  const int drawing = areSurfaces ? 0 : choices[Choose::Drawing];
+  shading[0] = property->GetAmbient();
+  shading[1] = property->GetDiffuse();
+  shading[2] = property->GetSpecular();
+  shading[3] = property->GetSpecularPower();
+  SetLight(this->Renderer, look.Choice(Row::Light));
+  const bool areSurfaces = this->HasCells || look.Choice(Row::Drawing) == 0;
+  const int drawing = areSurfaces ? 0 : look.Choice(Row::Drawing);
   this->Mapper->SetBlendMode(BlendModes[static_cast<std::size_t>(drawing)]);
   // Rays of blended volumes take long: fewer of them while something is dragged.
   this->Mapper->SetAutoAdjustSampleDistances(!areSurfaces);
   this->SetMarkers(areSurfaces ? look.Surfaces : look.Nodes);
   const Box& box = this->Bounds;
   const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
-  property->SetScalarOpacityUnitDistance(std::max(0.01 * diagonal / look.Density, 1e-30));
-  this->Mapper->SetSurfaceMode(choices[Choose::Surface]);
-  this->Mapper->SetSmoothMeshNormals(choices[Choose::Gradients] != 0);
+  property->SetScalarOpacityUnitDistance(
+    std::max(0.01 * diagonal / look.Values[Row::Density], 1e-30));
+  this->Mapper->SetSurfaceMode(look.Choice(Row::Surface));
+  this->Mapper->SetSmoothMeshNormals(look.Values[Row::Gradients] != 0);
   this->Mapper->SetReuseAccuracy(
-    vtkTemporalCoherenceVolumeMapper::EXACT + choices[Choose::Accuracy]);
-  this->Mapper->SetReuseFrames(choices[Choose::ImageCache] != 0);
-  this->Mapper->SetIsomap(choices[Choose::Isomap] != 0);
-  this->Mapper->SetSpaceLeaping(choices[Choose::Leaping] != 0);
-  this->Mapper->SetColorByAnswer(choices[Choose::Answers] != 0);
+    vtkTemporalCoherenceVolumeMapper::EXACT + look.Choice(Row::Accuracy));
+  this->Mapper->SetReuseFrames(look.Values[Row::ImageCache] != 0);
+  this->Mapper->SetIsomap(look.Values[Row::Isomap] != 0);
+  this->Mapper->SetSpaceLeaping(look.Values[Row::Leaping] != 0);
+  this->Mapper->SetColorByAnswer(look.Values[Row::Answers] != 0);
   // A completed picture owes nothing to the cache: it would have no yellow.
-  this->Mapper->SetRefineWhenStill(choices[Choose::Answers] == 0);
-  this->Mapper->SetCropping(choices[Choose::Cropping] != 0);
+  this->Mapper->SetRefineWhenStill(look.Values[Row::Answers] == 0);
+  this->Mapper->SetCropping(look.Values[Row::Cropping] != 0);
   this->Mapper->SetCroppingRegionFlagsToSubVolume();
-  this->Mapper->SetCroppingRegionPlanes(look.Crop.data());
+  this->Mapper->SetCroppingRegionPlanes(&look.Values[Row::Crop]);
   this->Mapper->RemoveAllClippingPlanes();
-  if (choices[Choose::Clipping] != 0)
+  if (look.Values[Row::Clipping] != 0)
   {
     this->Clip->SetOrigin(look.Clip.Origin.data());
     this->Clip->SetNormal(look.Clip.Normal.data());
@@ -319,11 +324,4 @@ Rgb VolumeView::ColorOf(const Marker& marker) const
     this->Actor->GetProperty()->GetRGBTransferFunction()->GetColor(marker.Value, color.data());
   }
   return color;
-}
-
-std::array<double, 4> VolumeView::Shading() const
-{
-  vtkVolumeProperty* property = this->Actor->GetProperty();
-  return { property->GetAmbient(), property->GetDiffuse(), property->GetSpecular(),
-    property->GetSpecularPower() };
 }

@@ -36,7 +36,7 @@ public:
   // By the mapper that there is, or by a new one.
   void Show(
     const Volume& volume, int component, const std::array<double, 2>& range, const Mapping& by);
-  void Apply(const Look& look);
+  void Apply(Look& look); // tells the shading that it has, if that is the material's
 
   // All of the volume is seen; the axes are those of the command line.
   void LookFrom(const std::string& from, const std::string& up);
@@ -53,12 +53,11 @@ public:
   vtkSmartPointer<vtkImageData> Picture(int width, int height);
 
   Rgb ColorOf(const Marker& marker) const;
-  std::array<double, 4> Shading() const; // ambient to power, as it is drawn
   const std::array<double, 2>& ValueRange() const { return this->Range; }
   // As they were when it was shown: the mapper is not asked, which may be at work.
   const Box& DataBounds() const { return this->Bounds; }
   const Box& WorldBounds() const { return this->BoundsInWorld; }
-  vtkMatrix4x4* Placement() const { return this->Actor->GetUserMatrix(); } // may be null
+  vtkMatrix4x4* Placement() const { return this->Actor->GetMatrix(); }
   bool IsMesh() const { return this->HasCells; }
 
   vtkNew<vtkRenderer> Renderer;

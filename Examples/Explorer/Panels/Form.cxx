@@ -48,76 +48,77 @@ void Form::OnChange(const std::function<void()>& refresh)
     });
 }
 
-void Form::Add(QWidget* widget, const QString& help, const QString& label, const Test& isUseful)
+void Form::Add(QWidget* widget, const QString& help, const QString& label)
 {
   widget->setToolTip(help.isEmpty() ? widget->toolTip() : help);
   label.isEmpty() ? this->Rows->addRow(widget) : this->Rows->addRow(label, widget);
-  QWidget* left = this->Rows->labelForField(widget);
-  if (left)
+  if (QWidget* left = this->Rows->labelForField(widget))
   {
     left->setToolTip(help);
     widget->setAccessibleName(label);
   }
-  if (isUseful)
+}
+
+void Form::AddSettings(const std::string& panel)
+{
+  for (const Setting& setting : AllSettings())
   {
-    this->OnChange(
-      [=]
+    if (setting.Panel == panel)
+    {
+      this->AddSetting(setting);
+    }
+  }
+}
+
+void Form::AddSetting(const Setting& setting)
+{
+  QWidget* widget = this->NewWidget(setting);
+  const QString label = tr(setting.Label), help = tr(setting.Help);
+  widget->setObjectName(setting.IsChoice() ? setting.Name : label.toLower());
+  this->Add(widget, setting.Key ? tr("%1 (%2)").arg(help).arg(setting.Key) : help,
+    qobject_cast<QCheckBox*>(widget) ? "" : label);
+  this->OnChange(
+    [this, widget, &setting]
+    {
+      const bool isOffered = this->Bench.Data.Offers(setting);
+      widget->setVisible(isOffered);
+      if (QWidget* left = this->Rows->labelForField(widget))
       {
-        widget->setVisible(isUseful());
-        if (left)
-        {
-          left->setVisible(isUseful());
-        }
-      });
-  }
+        left->setVisible(isOffered);
+      }
+    });
 }
 
-void Form::AddChoices(Choice::Panel panel)
+QWidget* Form::NewWidget(const Setting& setting)
 {
-  for (const Choice& choice : AllChoices())
+  if (!setting.IsChoice())
   {
-    if (choice.In == panel)
-    {
-      this->AddChoice(choice);
-    }
+    return this->NewSlider(setting);
   }
-}
-
-void Form::AddChoice(const Choice& choice)
-{
-  const Choose::Which what = choice.What;
-  const auto value = [this, what] { return this->Bench.Data.Settings().Choices[what]; };
-  const auto offered = [this, &choice] { return this->Bench.Data.Offers(choice); };
-  const QString label = tr(choice.Label);
-  const QString help = tr("%1 (%2)").arg(tr(choice.Help)).arg(choice.Key);
-  QWidget* widget = nullptr;
-  if (choice.Values[0] == std::string("off"))
+  const std::size_t row = setting.Place();
+  const auto value = [this, row]
+  { return static_cast<int>(this->Bench.Data.Settings().Values[row]); };
+  if (setting.Words[0] == std::string("off"))
   {
-    auto* check = new QCheckBox(label);
-    QObject::connect(check, &QCheckBox::clicked, [=] { this->Bench.Turn(what, 1); });
+    auto* check = new QCheckBox(tr(setting.Label));
+    QObject::connect(check, &QCheckBox::clicked, [=] { this->Bench.Turn(row, 1); });
     this->OnChange([=] { check->setChecked(value() != 0); });
-    this->Add(widget = check, help, "", offered);
+    return check;
   }
-  else
+  auto* box = new QComboBox;
+  for (const char* text : setting.Words)
   {
-    auto* combo = new QComboBox;
-    for (const char* text : choice.Values)
-    {
-      combo->addItem(tr(text));
-    }
-    QObject::connect(combo, QOverload<int>::of(&QComboBox::activated),
-      [=](int index) { this->Bench.Turn(what, index - value()); });
-    this->OnChange([=] { combo->setCurrentIndex(value()); });
-    this->Add(widget = combo, help, label, offered);
+    box->addItem(tr(text));
   }
-  widget->setObjectName(choice.Name);
+  QObject::connect(box, QOverload<int>::of(&QComboBox::activated),
+    [=](int index) { this->Bench.Turn(row, index - value()); });
+  this->OnChange([=] { box->setCurrentIndex(value()); });
+  return box;
 }
 
-void Form::AddSlider(const QString& label, const QString& help, double most, const Get& get,
-  const Set& set, const Test& isUseful)
+QWidget* Form::NewSlider(const Setting& setting)
 {
   auto* slider = new QSlider(Qt::Horizontal);
-  slider->setObjectName(label.toLower());
   slider->setRange(0, SliderSteps);
   slider->setPageStep(SliderSteps / 10);
   slider->setSingleStep(SliderSteps / 100);
@@ -129,16 +130,15 @@ void Form::AddSlider(const QString& label, const QString& help, double most, con
     });
   QObject::connect(slider, &QSlider::sliderReleased, [this] { this->Bench.SetDragging(false); });
   QObject::connect(slider, &QSlider::valueChanged,
-    [=](int value)
-    { this->Bench.Edit(label, [&](Look& look) { set(look, most * value / SliderSteps); }); });
+    [this, &setting](int value)
+    { this->Bench.SetShare(setting, static_cast<double>(value) / SliderSteps); });
   this->OnChange(
-    [=]
+    [this, slider, &setting]
     {
       const QSignalBlocker blocker(slider);
-      const double share = get(this->Bench.Data.Settings()) / most;
-      slider->setValue(static_cast<int>(std::lround(share * SliderSteps)));
+      slider->setValue(static_cast<int>(std::lround(this->Bench.ShareOf(setting) * SliderSteps)));
     });
-  this->Add(slider, help, label, isUseful);
+  return slider;
 }
 
 void Form::AddButtons(const QList<QAction*>& actions)
@@ -157,11 +157,12 @@ void Form::AddButtons(const QList<QAction*>& actions)
   this->Add(row);
 }
 
-QAction* Form::NewAction(
-  const QString& label, const QString& help, const std::function<void()>& act)
+QAction* NewAction(
+  QObject* owner, const char* label, const char* help, const std::function<void()>& act)
 {
-  auto* action = new QAction(label, this);
-  action->setToolTip(help);
-  QObject::connect(action, &QAction::triggered, act);
+  auto* action = new QAction(QObject::tr(label), owner);
+  action->setToolTip(QObject::tr(help));
+  action->setStatusTip(QObject::tr(help));
+  QObject::connect(action, &QAction::triggered, owner, act);
   return action;
 }

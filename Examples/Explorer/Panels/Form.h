@@ -15,29 +15,26 @@ class QFormLayout;
 class Form : public QWidget
 {
 public:
-  using Get = std::function<double(const Look&)>;
-  using Set = std::function<void(Look&, double)>;
-  using Test = std::function<bool()>;
-
   explicit Form(Workbench& bench);
 
-  void AddChoice(const Choice& choice);
-  void AddChoices(Choice::Panel panel);
-  void AddSlider(const QString& label, const QString& help, double most, const Get& get,
-    const Set& set, const Test& isUseful = nullptr);
+  void AddSetting(const Setting& setting);
+  void AddSettings(const std::string& panel);
   void AddButtons(const QList<QAction*>& actions); // side by side
-  QAction* NewAction(const QString& label, const QString& help, const std::function<void()>& act);
-  // Over the whole width where there is no label. Seen while it is useful.
-  void Add(QWidget* widget, const QString& help = "", const QString& label = "",
-    const Test& isUseful = nullptr);
+  // Over the whole width where there is no label.
+  void Add(QWidget* widget, const QString& help = "", const QString& label = "");
   void OnChange(const std::function<void()>& refresh); // soon after, and not too often
 
 private:
+  QWidget* NewWidget(const Setting& setting);
+  QWidget* NewSlider(const Setting& number);
+
   Workbench& Bench;
   QFormLayout* Rows;
 };
 
 // What panels share.
+QAction* NewAction(
+  QObject* owner, const char* label, const char* help, const std::function<void()>& act);
 QColor ToQColor(const Rgb& rgb);
 QString Short(double number); // with as many digits as tell values apart
 

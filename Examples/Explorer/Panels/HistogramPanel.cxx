@@ -22,11 +22,14 @@ constexpr double Faint = 0.35; // opacity
 
 HistogramPanel::HistogramPanel(Workbench& bench)
   : Bench(bench)
+  , Data(bench.Data)
 {
   this->setObjectName("histogram");
   this->setAccessibleName(tr("Histogram with isovalues and opacity"));
   this->setToolTip(tr("Drag a marker: the isovalue of a surface, or a node of the opacity.\n"
                       "Right click: its colour. Double click: another node."));
+  const int line = this->fontMetrics().height();
+  this->setMinimumSize(12 * line, 5 * line);
   this->setFocusPolicy(Qt::StrongFocus);
   this->setContextMenuPolicy(Qt::ActionsContextMenu);
   this->setAttribute(Qt::WA_OpaquePaintEvent); // nothing behind it has to be drawn
@@ -40,16 +43,6 @@ HistogramPanel::HistogramPanel(Workbench& bench)
       }
     });
   QObject::connect(&bench, &Workbench::Opened, this, &HistogramPanel::Refresh);
-}
-
-QSize HistogramPanel::sizeHint() const
-{
-  return { 40 * this->fontMetrics().height(), 8 * this->fontMetrics().height() };
-}
-
-QSize HistogramPanel::minimumSizeHint() const
-{
-  return { 12 * this->fontMetrics().height(), 5 * this->fontMetrics().height() };
 }
 
 QRect HistogramPanel::Plot() const
@@ -68,20 +61,17 @@ QPoint HistogramPanel::PlaceOf(double share) const
 QPointF HistogramPanel::PlaceOf(const Marker& marker) const
 {
   const QRect plot = this->Plot();
-  const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
-  const double share = (marker.Value - range[0]) / (range[1] - range[0]);
-  const double height = this->Bench.Data.DrawsSurfaces() ? 1.0 : marker.Opacity;
+  const double share = this->Data.ShareOf(marker.Value);
+  const double height = this->Data.DrawsSurfaces() ? 1.0 : marker.Opacity;
   return { plot.x() + share * (plot.width() - 1), plot.bottom() - height * plot.height() };
 }
 
 Marker HistogramPanel::MarkerAt(const QPoint& place) const
 {
   const QRect plot = this->Plot();
-  const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
   const double share = static_cast<double>(place.x() - plot.x()) / std::max(plot.width() - 1, 1);
   const double height = static_cast<double>(plot.bottom() - place.y()) / plot.height();
-  return { range[0] + std::clamp(share, 0.0, 1.0) * (range[1] - range[0]),
-    std::clamp(height, 0.0, 1.0) };
+  return { this->Data.ValueAt(std::clamp(share, 0.0, 1.0)), std::clamp(height, 0.0, 1.0) };
 }
 
 int HistogramPanel::Nearest(const QPoint& place) const
@@ -93,7 +83,7 @@ int HistogramPanel::Nearest(const QPoint& place) const
   {
     const QPointF way = this->PlaceOf(markers[i]) - place;
     const double distance =
-      this->Bench.Data.DrawsSurfaces() ? std::abs(way.x()) : std::hypot(way.x(), way.y());
+      this->Data.DrawsSurfaces() ? std::abs(way.x()) : std::hypot(way.x(), way.y());
     nearest = distance < least ? static_cast<int>(i) : nearest;
     least = std::min(least, distance);
   }
@@ -114,7 +104,7 @@ void HistogramPanel::Refresh()
 void HistogramPanel::MakeBars()
 {
   const QRect plot = this->Plot();
-  const Histogram& counted = this->Bench.Data.Counted();
+  const Histogram& counted = this->Data.Counted();
   const std::size_t count = counted.Bins.size();
   const double most = *std::max_element(counted.Bins.begin(), counted.Bins.end());
   std::vector<double> of = counted.Bins;
@@ -125,8 +115,7 @@ void HistogramPanel::MakeBars()
   for (std::size_t bin = 0; bin < count; ++bin)
   {
     const double share = static_cast<double>(bin) / static_cast<double>(count - 1);
-    const double value = counted.Range[0] + share * (counted.Range[1] - counted.Range[0]);
-    const Rgb rgb = this->Bench.Data.View.ColorOf({ value });
+    const Rgb rgb = this->Data.View.ColorOf({ this->Data.ValueAt(share) });
     of.insert(of.end(), rgb.begin(), rgb.end());
     colors.push_back(ToQColor(rgb));
   }
@@ -151,7 +140,7 @@ void HistogramPanel::MakeBars()
 void HistogramPanel::DrawBars(QPainter& painter) const
 {
   const QRect all = this->rect();
-  double begin = this->Bench.Data.DrawsSurfaces() ? all.width() : 0.0;
+  double begin = this->Data.DrawsSurfaces() ? all.width() : 0.0;
   for (const Marker& marker : this->Bench.Markers())
   {
     begin = std::min(begin, this->PlaceOf(marker).x());
@@ -176,7 +165,7 @@ void HistogramPanel::DrawMarkers(QPainter& painter) const
   {
     line << this->PlaceOf(marker);
   }
-  if (!this->Bench.Data.DrawsSurfaces())
+  if (!this->Data.DrawsSurfaces())
   {
     // With a rim, as it lies over bars of any colour.
     painter.setPen(QPen(this->palette().color(QPalette::Window), 4));
@@ -190,15 +179,15 @@ void HistogramPanel::DrawMarkers(QPainter& painter) const
     const bool isSelected = static_cast<std::size_t>(i) == this->Bench.Selected();
     painter.setPen(QPen(isSelected ? this->palette().color(QPalette::Highlight) : text, 2,
       marker.IsVisible ? Qt::SolidLine : Qt::DotLine));
-    if (this->Bench.Data.DrawsSurfaces())
+    if (this->Data.DrawsSurfaces())
     {
       painter.drawLine(line[i], QPointF(line[i].x(), plot.bottom()));
     }
-    painter.setBrush(ToQColor(this->Bench.Data.View.ColorOf(marker)));
+    painter.setBrush(ToQColor(this->Data.View.ColorOf(marker)));
     painter.drawEllipse(line[i], size, size);
     if (isSelected)
     {
-      const QString label = this->Bench.Data.DrawsSurfaces()
+      const QString label = this->Data.DrawsSurfaces()
         ? tr("Isovalue %1").arg(Short(marker.Value))
         : tr("%1: %2 %").arg(Short(marker.Value)).arg(100.0 * marker.Opacity, 0, 'f', 1);
       const double width = this->fontMetrics().horizontalAdvance(label);
@@ -215,7 +204,7 @@ void HistogramPanel::paintEvent(QPaintEvent* event)
 {
   QPainter painter(this);
   painter.fillRect(event->rect(), this->palette().color(QPalette::Window));
-  if (!this->Bench.Data.IsOpen())
+  if (!this->Data.IsOpen())
   {
     return;
   }
@@ -223,7 +212,7 @@ void HistogramPanel::paintEvent(QPaintEvent* event)
   this->DrawBars(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   this->DrawMarkers(painter);
-  const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
+  const std::array<double, 2>& range = this->Data.Counted().Range;
   const QRect foot = this->rect().adjusted(0, this->Plot().bottom() + 2, 0, 0);
   painter.setPen(this->palette().color(QPalette::WindowText));
   painter.drawText(foot, Qt::AlignLeft, " " + Short(range[0]));
@@ -241,11 +230,11 @@ void HistogramPanel::DragTo(const QPoint& place)
 {
   const Marker to = this->MarkerAt(place);
   const std::size_t at = this->Bench.Selected();
-  const bool isSurface = this->Bench.Data.DrawsSurfaces();
+  const bool isSurface = this->Data.DrawsSurfaces();
   this->Bench.Edit(isSurface ? tr("isovalue") : tr("opacity"),
     [&](Look& look)
     {
-      std::vector<Marker>& markers = this->Bench.Data.MarkersOf(look);
+      std::vector<Marker>& markers = this->Data.MarkersOf(look);
       const double before = isSurface || at == 0 ? to.Value : markers[at - 1].Value;
       const double after = isSurface || at + 1 == markers.size() ? to.Value : markers[at + 1].Value;
       markers[at].Value = std::clamp(to.Value, std::min(before, after), std::max(before, after));
@@ -255,18 +244,18 @@ void HistogramPanel::DragTo(const QPoint& place)
 
 void HistogramPanel::MoveBy(double steps, double opacity)
 {
-  const bool isSurface = this->Bench.Data.DrawsSurfaces();
+  const bool isSurface = this->Data.DrawsSurfaces();
   this->Bench.EditMarker(isSurface ? tr("isovalue") : tr("opacity"),
     [=](Marker& marker)
     {
-      marker.Value += steps * this->Bench.Data.StepOfValues();
+      marker.Value += steps * this->Data.StepOfValues();
       marker.Opacity += isSurface ? 0.0 : opacity;
     });
 }
 
 void HistogramPanel::mousePressEvent(QMouseEvent* event)
 {
-  if (!this->Bench.Data.IsOpen())
+  if (!this->Data.IsOpen())
   {
     return;
   }
@@ -278,7 +267,7 @@ void HistogramPanel::mousePressEvent(QMouseEvent* event)
   }
   this->Bench.SetDragging(true);
   this->Bench.PrepareDrag();
-  if (this->Bench.Data.DrawsSurfaces())
+  if (this->Data.DrawsSurfaces())
   {
     this->DragTo(event->pos());
   }
@@ -286,7 +275,7 @@ void HistogramPanel::mousePressEvent(QMouseEvent* event)
 
 void HistogramPanel::mouseMoveEvent(QMouseEvent* event)
 {
-  if (event->buttons() & Qt::LeftButton && this->Bench.Data.IsOpen())
+  if (event->buttons() & Qt::LeftButton && this->Data.IsOpen())
   {
     this->DragTo(event->pos());
     // At once: the window is drawn once, with this frame. Moves meanwhile become one.
@@ -301,7 +290,7 @@ void HistogramPanel::mouseReleaseEvent(QMouseEvent*)
 
 void HistogramPanel::mouseDoubleClickEvent(QMouseEvent* event)
 {
-  if (this->Bench.Data.IsOpen() && !this->Bench.Data.DrawsSurfaces())
+  if (this->Data.IsOpen() && !this->Data.DrawsSurfaces())
   {
     this->Bench.AddMarker(this->MarkerAt(event->pos()));
   }
@@ -319,9 +308,9 @@ void HistogramPanel::wheelEvent(QWheelEvent* event)
 void HistogramPanel::keyPressEvent(QKeyEvent* event)
 {
   const double many = event->modifiers() & Qt::ShiftModifier ? 10.0 : 1.0;
-  const bool isSurface = this->Bench.Data.IsOpen() && this->Bench.Data.DrawsSurfaces();
+  const bool isSurface = this->Data.IsOpen() && this->Data.DrawsSurfaces();
   const std::size_t count = this->Bench.Markers().size();
-  switch (this->Bench.Data.IsOpen() ? event->key() : static_cast<int>(Qt::Key_unknown))
+  switch (this->Data.IsOpen() ? event->key() : static_cast<int>(Qt::Key_unknown))
   {
     case Qt::Key_Left:
       return this->MoveBy(-many, 0.0);

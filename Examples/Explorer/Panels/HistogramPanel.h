@@ -3,11 +3,12 @@
 #ifndef HistogramPanel_h
 #define HistogramPanel_h
 
-#include "Model/Look.h"
+#include "Model/Settings.h"
 
 #include <QPixmap>
 #include <QWidget>
 
+class Model;
 class Workbench;
 
 // The histogram. Over it lie the markers, surfaces or nodes of the opacity of a blended volume:
@@ -18,8 +19,7 @@ public:
   explicit HistogramPanel(Workbench& bench);
 
   QPoint PlaceOf(double share) const; // of the range of values
-  QSize sizeHint() const override;
-  QSize minimumSizeHint() const override;
+  QSize sizeHint() const override { return 2 * this->minimumSize(); }
 
 protected:
   void paintEvent(QPaintEvent*) override;
@@ -43,6 +43,7 @@ private:
   void MoveBy(double steps, double opacity);
 
   Workbench& Bench;
+  const Model& Data;
   bool IsLate = false; // until the next frame
   QPixmap Bars;
   std::vector<double> BarsOf; // what they were made of

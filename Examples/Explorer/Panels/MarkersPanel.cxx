@@ -141,21 +141,13 @@ QWidget* MakeMarkersPanel(
 {
   auto* form = new Form(bench);
   auto* table = new MarkerTable(bench, colors);
-  form->AddChoice(AllChoices()[Choose::Drawing]);
+  form->AddSetting(AllSettings()[Row::Drawing]);
   form->Add(table);
   form->OnChange([table] { table->Refresh(); });
   form->AddButtons(buttons);
-  form->AddSlider(
-    QObject::tr("Opacity"), QObject::tr("of the selected surface: less is see-through"), 1.0,
-    [&bench](const Look&) { return bench.Markers()[bench.Selected()].Opacity; },
-    [&bench](Look& look, double value)
-    { bench.Data.MarkersOf(look)[bench.Selected()].Opacity = value; });
-  form->AddSlider(
-    QObject::tr("Density"), QObject::tr("of the blended volume: how soon it is opaque"), 4.0,
-    [](const Look& look) { return std::log10(look.Density) + 2.0; },
-    [](Look& look, double value) { look.Density = std::pow(10.0, value - 2.0); },
-    [&bench] { return !bench.Data.DrawsSurfaces(); });
-  form->AddChoice(AllChoices()[Choose::Surface]);
-  form->AddChoice(AllChoices()[Choose::Palette]);
+  form->AddSetting(AllSettings()[Row::Opacity]);
+  form->AddSetting(AllSettings()[Row::Density]);
+  form->AddSetting(AllSettings()[Row::Surface]);
+  form->AddSetting(AllSettings()[Row::Palette]);
   return form;
 }

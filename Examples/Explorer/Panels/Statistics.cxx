@@ -34,18 +34,13 @@ public:
     this->setObjectName("statistics");
     this->setAccessibleName(tr("Statistics of the last frames"));
     this->setToolTip(tr("A bar a frame, the last 200: the window's time, and the mapper's in it"));
+    const int line = this->fontMetrics().height();
+    this->setMinimumSize(18 * line, 10 * line);
     this->Due.setSingleShot(true);
     QObject::connect(&this->Due, &QTimer::timeout, this, [this] { this->update(); });
     QObject::connect(&bench, &Workbench::FrameDrawn, this,
-      [this, &bench](double ms) { this->Take(*bench.Data.View.Mapper, ms); });
+      [this, &bench](double ms) { this->Take(*bench.Data.View.Mapper->GetStatistics(), ms); });
   }
-
-  QSize sizeHint() const override
-  {
-    const int line = this->fontMetrics().height();
-    return { 18 * line, 10 * line };
-  }
-  QSize minimumSizeHint() const override { return this->sizeHint(); }
 
 protected:
   void paintEvent(QPaintEvent*) override
@@ -71,11 +66,10 @@ protected:
   }
 
 private:
-  void Take(vtkTemporalCoherenceVolumeMapper& mapper, double windowMs)
+  void Take(vtkTemporalCoherenceStatistics& last, double windowMs)
   {
-    const double ms = 1000.0 * mapper.GetStatistics()->GetFrameTime();
-    const double rays =
-      std::max(1.0, static_cast<double>(mapper.GetStatistics()->GetNumberOfRays()));
+    const double ms = 1000.0 * last.GetFrameTime();
+    const double rays = std::max(1.0, static_cast<double>(last.GetNumberOfRays()));
     const auto each = [](double number, const char* unit)
     { return tr("%1 %2").arg(number, 0, 'f', 1).arg(tr(unit)); };
     const auto share = [&](vtkIdType count)
@@ -83,16 +77,13 @@ private:
     this->Facts = {
       { tr("Mapper"), each(ms, "ms") },
       { tr("Window"), each(windowMs, "ms") },
-      { tr("Hits"), share(mapper.GetStatistics()->GetNumberOfDefiniteHits()), Hit },
-      { tr("Traced"), share(mapper.GetStatistics()->GetNumberOfTracedRays()) },
-      { tr("Possible"), share(mapper.GetStatistics()->GetNumberOfPossibleHits()), Possible },
-      { tr("Samples"),
-        each(
-          static_cast<double>(mapper.GetStatistics()->GetNumberOfFieldSamples()) / rays, "a ray") },
-      { tr("Misses"), share(mapper.GetStatistics()->GetNumberOfDefiniteMisses()), Miss },
-      { tr("Isomap"),
-        each(static_cast<double>(mapper.GetStatistics()->GetIsomapMemory()) / BytesPerMiB, "MiB") },
-      { tr("Route"), mapper.GetStatistics()->GetRouteAsString() },
+      { tr("Hits"), share(last.GetNumberOfDefiniteHits()), Hit },
+      { tr("Traced"), share(last.GetNumberOfTracedRays()) },
+      { tr("Possible"), share(last.GetNumberOfPossibleHits()), Possible },
+      { tr("Samples"), each(static_cast<double>(last.GetNumberOfFieldSamples()) / rays, "a ray") },
+      { tr("Misses"), share(last.GetNumberOfDefiniteMisses()), Miss },
+      { tr("Isomap"), each(static_cast<double>(last.GetIsomapMemory()) / BytesPerMiB, "MiB") },
+      { tr("Route"), last.GetRouteAsString() },
     };
     this->Frames.push_back({ windowMs, ms });
     if (this->Frames.size() > MostFrames)

@@ -62,30 +62,27 @@ void ClipHandles::Show()
     return;
   }
   const Look& look = this->Bench.Data.Settings();
-  if (look.Choices[Choose::Clipping] != 0)
+  if (look.Values[Row::Clipping] != 0)
   {
     Plane plane = look.Clip;
     this->PlaneShape->SetOrigin(plane.Origin.data());
     this->PlaneShape->SetNormal(plane.Normal.data());
   }
-  this->PlaneWidget->SetEnabled(look.Choices[Choose::Clipping] != 0);
-  if (look.Choices[Choose::Cropping] != 0)
+  this->PlaneWidget->SetEnabled(look.Values[Row::Clipping] != 0);
+  if (look.Values[Row::Cropping] != 0)
   {
     // From the whole box to the part of it, and to where the data lie in the world.
-    const Box& crop = look.Crop;
+    const double* crop = &look.Values[Row::Crop];
     const auto box = this->Bench.Data.View.DataBounds();
     vtkNew<vtkTransform> transform;
-    if (vtkMatrix4x4* placement = this->Bench.Data.View.Placement())
-    {
-      transform->Concatenate(placement);
-    }
+    transform->Concatenate(this->Bench.Data.View.Placement());
     transform->Translate(crop[0], crop[2], crop[4]);
     transform->Scale((crop[1] - crop[0]) / (box[1] - box[0]),
       (crop[3] - crop[2]) / (box[3] - box[2]), (crop[5] - crop[4]) / (box[5] - box[4]));
     transform->Translate(-box[0], -box[2], -box[4]);
     this->BoxShape->SetTransform(transform);
   }
-  this->BoxWidget->SetEnabled(look.Choices[Choose::Cropping] != 0);
+  this->BoxWidget->SetEnabled(look.Values[Row::Cropping] != 0);
 }
 
 void ClipHandles::TakePlane()
@@ -101,10 +98,7 @@ void ClipHandles::TakeBox()
   vtkNew<vtkPolyData> points;
   this->BoxShape->GetPolyData(points);
   vtkNew<vtkMatrix4x4> toData;
-  if (vtkMatrix4x4* placement = this->Bench.Data.View.Placement())
-  {
-    vtkMatrix4x4::Invert(placement, toData);
-  }
+  vtkMatrix4x4::Invert(this->Bench.Data.View.Placement(), toData);
   std::array<double, 6> crop;
   for (std::size_t side = 0; side < 6; ++side)
   {
@@ -114,5 +108,6 @@ void ClipHandles::TakeBox()
     toData->MultiplyPoint(point, point);
     crop[side] = point[side / 2];
   }
-  this->Bench.Edit(tr("cropping"), [&](Look& look) { look.Crop = crop; });
+  this->Bench.Edit(tr("cropping"),
+    [&](Look& look) { std::copy(crop.begin(), crop.end(), &look.Values[Row::Crop]); });
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/Commands.h"
 
-#include "Window/Dialogs.h"
 #include "Work/Workbench.h"
 
 #include <vtkCamera.h>
@@ -38,6 +37,13 @@ void TurnUpsideDown(QMainWindow&, Workbench& bench)
 {
   bench.Data.View.Renderer->GetActiveCamera()->Roll(180.0);
   bench.RenderSoon();
+}
+
+void SavePictureOfWindow(QMainWindow& window, Workbench& bench)
+{
+  const std::string path = bench.Output.NextPath();
+  SaveWindow(window, path);
+  bench.Say("Saved " + path);
 }
 
 void ShowKeys(QMainWindow& window, Workbench&)
@@ -127,14 +133,17 @@ std::vector<std::pair<std::string, std::string>> AllKeys()
       keys.emplace_back(command.Keys, command.Help);
     }
   }
-  for (const Choice& choice : AllChoices())
+  for (const Setting& setting : AllSettings())
   {
     std::string values;
-    for (const char* value : choice.Values)
+    for (const char* value : setting.Words)
     {
       values += (values.empty() ? " (" : ", ") + std::string(value);
     }
-    keys.emplace_back(std::string(1, choice.Key), choice.Help + values + ")");
+    if (setting.Key)
+    {
+      keys.emplace_back(std::string(1, setting.Key), setting.Help + values + ")");
+    }
   }
   return keys;
 }

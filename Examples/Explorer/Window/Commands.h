@@ -8,6 +8,7 @@
 #include <vector>
 
 class QMainWindow;
+class QWidget;
 class Workbench;
 
 // What a menu or a key does, beside turning a choice.
@@ -31,6 +32,17 @@ struct Command
   void (*Do)(QMainWindow& window, Workbench& bench);
 };
 const std::vector<Command>& AllCommands();
+
+// What asks for more in a dialog.
+void AskOpen(QMainWindow& window, Workbench& bench);
+void AskOpenFolder(QMainWindow& window, Workbench& bench);
+void AskSaveSession(QMainWindow& window, Workbench& bench);
+void AskColor(QMainWindow& window, Workbench& bench); // of the selected marker
+void AskPicture(QMainWindow& window, Workbench& bench);
+void AskFilm(QMainWindow& window, Workbench& bench);
+
+// A window as it is seen. Throws UserError.
+void SaveWindow(QWidget& window, const std::string& path);
 
 // Mouse and keys, and what they do.
 std::vector<std::pair<std::string, std::string>> AllKeys();

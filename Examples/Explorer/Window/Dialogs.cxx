@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Window/Dialogs.h"
+#include "Window/Commands.h"
 
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
@@ -35,14 +35,6 @@ enum Motion
 QString Directory(const Workbench& bench)
 {
   return QFileInfo(QFile::decodeName(bench.Data.State().Source.Path.c_str())).absolutePath();
-}
-
-void Open(Workbench& bench, const QString& path)
-{
-  if (!path.isEmpty())
-  {
-    bench.OpenPath(path);
-  }
 }
 
 // How large a picture is to be, and what else is asked for.
@@ -88,17 +80,16 @@ void MakeFilm(QWidget& over, Workbench& bench, Motion motion, int frames, int wi
   QProgressDialog progress(QObject::tr("Making a film"), QObject::tr("Stop"), 0, frames, &over);
   progress.setWindowModality(Qt::WindowModal);
   Recorder recorder(bench.Output.Directory);
-  recorder.Start(bench.Data.Settings().TextOf(Choose::Film));
+  recorder.Start(bench.Data.Settings().TextOf(Row::Film));
   const Look before = bench.Data.Settings();
   const CameraState camera = bench.Data.View.Camera();
-  const auto& range = bench.Data.Counted().Range;
   for (int frame = 0; frame < frames && !progress.wasCanceled(); ++frame)
   {
     if (motion == Sweep)
     {
       Look look = before;
       bench.Data.MarkersOf(look)[bench.Selected()].Value =
-        range[0] + (frame + 0.5) / frames * (range[1] - range[0]);
+        bench.Data.ValueAt((frame + 0.5) / frames);
       bench.Data.SetSettings(look);
     }
     recorder.Add(bench.Data.View.Picture(width, height));
@@ -118,16 +109,14 @@ void MakeFilm(QWidget& over, Workbench& bench, Motion motion, int frames, int wi
 
 void AskOpen(QMainWindow& window, Workbench& bench)
 {
-  Open(bench,
-    QFileDialog::getOpenFileName(
-      &window, QObject::tr("Open a volume or a session"), Directory(bench)));
+  bench.OpenPath(QFileDialog::getOpenFileName(
+    &window, QObject::tr("Open a volume or a session"), Directory(bench)));
 }
 
 void AskOpenFolder(QMainWindow& window, Workbench& bench)
 {
-  Open(bench,
-    QFileDialog::getExistingDirectory(
-      &window, QObject::tr("Open a folder of DICOM files"), Directory(bench)));
+  bench.OpenPath(QFileDialog::getExistingDirectory(
+    &window, QObject::tr("Open a folder of DICOM files"), Directory(bench)));
 }
 
 void AskSaveSession(QMainWindow& window, Workbench& bench)
@@ -178,24 +167,9 @@ void AskFilm(QMainWindow& window, Workbench& bench)
   const QSpinBox* frames = dialog.AddNumber(QObject::tr("Frames"), 120, 10000);
   if (dialog.Ask())
   {
-    bench.Try(
-      [&]
-      {
-        MakeFilm(window, bench, static_cast<Motion>(motion->currentIndex()), frames->value(),
-          dialog.Width->value(), dialog.Height->value());
-      });
+    MakeFilm(window, bench, static_cast<Motion>(motion->currentIndex()), frames->value(),
+      dialog.Width->value(), dialog.Height->value());
   }
-}
-
-void SavePictureOfWindow(QMainWindow& window, Workbench& bench)
-{
-  bench.Try(
-    [&]
-    {
-      const std::string path = bench.Output.NextPath();
-      SaveWindow(window, path);
-      bench.Say("Saved " + path);
-    });
 }
 
 void SaveWindow(QWidget& window, const std::string& path)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/MainWindow.h"
 
+#include "Panels/Form.h"
 #include "Panels/Panels.h"
 #include "Window/ClipHandles.h"
 #include "Window/Commands.h"
@@ -107,24 +108,20 @@ void MainWindow::MakeMenus()
       ? this->Bench.Changes.createUndoAction(this, tr(command.Name))
       : command.Needs == Command::Need::Redo
       ? this->Bench.Changes.createRedoAction(this, tr(command.Name))
-      : new QAction(tr(command.Name), this);
+      : NewAction(this, command.Name, command.Help,
+          [this, &command]
+          {
+            this->Bench.Try([&] { command.Do(*this, this->Bench); });
+            this->ShowState(); // at once, as the next key may need it
+          });
     menu->addAction(item);
-    if (command.Do)
-    {
-      QObject::connect(item, &QAction::triggered, this,
-        [this, &command]
-        {
-          command.Do(*this, this->Bench);
-          this->ShowState(); // at once, as the next key may need it
-        });
-    }
+    item->setToolTip(tr(command.Help));
+    item->setStatusTip(tr(command.Help));
     // Qt 6 takes an empty list for one key that is unknown.
     if (*command.Keys)
     {
       item->setShortcuts(QKeySequence::listFromString(command.Keys));
     }
-    item->setToolTip(tr(command.Help));
-    item->setStatusTip(tr(command.Help));
     this->Actions[QString(command.Name).remove('&')] = item;
   }
   QMenu* recent = new QMenu(tr("Open &Recent"), this);
@@ -147,22 +144,23 @@ void MainWindow::MakeMenus()
 // The next value, by the key alone; with Shift, the one before.
 void MainWindow::MakeSettingsMenu(QMenu* menu)
 {
-  for (const Choice& choice : AllChoices())
+  for (const Setting& choice : AllSettings())
   {
+    if (!choice.Key)
+    {
+      continue;
+    }
     for (const int turn : { 1, -1 })
     {
-      auto* item = new QAction(tr(choice.Label), this);
-      item->setShortcut(QKeySequence(QString(turn > 0 ? "%1" : "Shift+%1").arg(choice.Key)));
-      item->setToolTip(tr(choice.Help));
-      item->setStatusTip(tr(choice.Help));
-      QObject::connect(item, &QAction::triggered, this,
+      QAction* item = NewAction(this, choice.Label, choice.Help,
         [this, &choice, turn]
         {
           if (this->Bench.Data.IsOpen() && this->Bench.Data.Offers(choice))
           {
-            this->Bench.Turn(choice.What, turn);
+            this->Bench.Turn(choice.Place(), turn);
           }
         });
+      item->setShortcut(QKeySequence(QString(turn > 0 ? "%1" : "Shift+%1").arg(choice.Key)));
       turn > 0 ? menu->addAction(item) : this->addAction(item);
     }
   }
@@ -260,8 +258,8 @@ void MainWindow::ShowRecent(QMenu* menu)
   for (const QString& path : QSettings().value("recent").toStringList())
   {
     // An ampersand would be a shortcut.
-    QAction* item = menu->addAction(
-      QFileInfo(path).fileName().replace('&', "&&"), [this, path] { this->Bench.OpenPath(path); });
+    QAction* item = menu->addAction(QFileInfo(path).fileName().replace('&', "&&"),
+      [this, path] { this->Bench.Try([&] { this->Bench.OpenPath(path); }); });
     item->setToolTip(path);
     item->setStatusTip(path);
     item->setEnabled(QFileInfo::exists(path));
@@ -307,28 +305,25 @@ void MainWindow::ShowState()
     areSurfaces ? tr("&Remove Surface") : tr("&Remove Node"));
   this->Actions["Record"]->setText(
     this->Bench.Output.IsRecording() ? tr("&End Recording") : tr("&Record"));
-  const auto showProgress = [this]
-  {
-    const bool isBusy = this->Bench.IsBusy();
-    this->Progress->setVisible(isBusy);
-    this->StopButton->setVisible(isBusy);
-  };
   if (!this->Bench.IsBusy())
   {
-    showProgress();
+    this->ShowProgress();
   }
   else if (!this->StopButton->isVisible())
   {
     this->Progress->setRange(0, 0);
-    QTimer::singleShot(ProgressAfter, this,
-      [this, showProgress]
-      {
-        showProgress();
-        if (this->Bench.IsBusy())
-        {
-          this->Sentence->setText(QString::fromStdString(this->Bench.Doing()));
-        }
-      });
+    QTimer::singleShot(ProgressAfter, this, &MainWindow::ShowProgress);
+  }
+}
+
+void MainWindow::ShowProgress()
+{
+  const bool isBusy = this->Bench.IsBusy();
+  this->Progress->setVisible(isBusy);
+  this->StopButton->setVisible(isBusy);
+  if (isBusy)
+  {
+    this->Sentence->setText(QString::fromStdString(this->Bench.Doing()));
   }
 }
 
@@ -374,7 +369,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 void MainWindow::dropEvent(QDropEvent* event)
 {
   event->acceptProposedAction();
-  this->Bench.OpenPath(event->mimeData()->urls().front().toLocalFile());
+  this->Bench.Try([&] { this->Bench.OpenPath(event->mimeData()->urls().front().toLocalFile()); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

@@ -43,6 +43,7 @@ private:
   void ShowRecent(QMenu* menu);
   void OnOpened();
   void ShowState();
+  void ShowProgress();
 
   Workbench& Bench;
   QVTKOpenGLNativeWidget* Picture;

@@ -6,7 +6,6 @@
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 #include "Window/Commands.h"
-#include "Window/Dialogs.h"
 #include "Window/MainWindow.h"
 
 #include <QApplication>
@@ -87,7 +86,7 @@ Session FirstSession(const Options& options)
   session.Isovalue = options.Isovalue ? options.Isovalue : session.Isovalue;
   if (options.ThresholdMode)
   {
-    session.Settings.Choices[Choose::Surface] = vtkTemporalCoherenceVolumeMapper::THRESHOLD;
+    session.Settings.Values[Row::Surface] = vtkTemporalCoherenceVolumeMapper::THRESHOLD;
   }
   return session;
 }

@@ -13,6 +13,7 @@
 #include <QFile>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -170,14 +171,44 @@ void Workbench::Show(const Look& look)
   emit this->Changed();
 }
 
-void Workbench::Turn(Choose::Which what, int steps)
+void Workbench::Turn(std::size_t choice, int steps)
 {
-  const Choice& choice = AllChoices()[what];
-  this->EditOnce(choice.Label,
+  this->EditOnce(AllSettings()[choice].Label,
     [&](Look& look)
     {
-      const int count = static_cast<int>(choice.Values.size());
-      look.Choices[what] = (look.Choices[what] + steps + count) % count;
+      const auto count = static_cast<int>(AllSettings()[choice].Words.size());
+      look.Values[choice] = (static_cast<int>(look.Values[choice]) + steps + count) % count;
+    });
+}
+
+double& Workbench::NumberOf(const Setting& number, Look& look)
+{
+  const std::size_t row = number.Place();
+  return row < Row::Count ? look.Values[row] : this->Data.MarkersOf(look)[this->Selected()].Opacity;
+}
+
+double Workbench::ShareOf(const Setting& number)
+{
+  Look look = this->Data.Settings();
+  const double value = this->NumberOf(number, look);
+  const auto [least, most] = this->Data.RangeOf(number);
+  const double share = number.IsLogarithmic ? std::log(value / least) / std::log(most / least)
+                                            : (value - least) / (most - least);
+  return std::isfinite(share) ? share : 0.0; // a range may be empty
+}
+
+void Workbench::SetShare(const Setting& number, double share)
+{
+  this->Edit(number.Label,
+    [&](Look& look)
+    {
+      const auto [least, most] = this->Data.RangeOf(number);
+      this->NumberOf(number, look) = number.IsLogarithmic ? least * std::pow(most / least, share)
+                                                          : least + share * (most - least);
+      if (number.Switch < Row::Count)
+      {
+        look.Values[number.Switch] = 1;
+      }
     });
 }
 
@@ -186,34 +217,26 @@ void Workbench::Start(const std::string& what, const Job& job, const std::functi
 {
   this->IsStopped = false;
   this->What = what;
-  this->Thread = std::thread(
-    [this, job, done]
+  const Progress tell = [this, told = 0.0](double share) mutable
+  {
+    if (share > told + ProgressStep)
     {
-      std::exception_ptr failure;
-      try
-      {
-        double told = 0.0;
-        job(
-          [this, &told](double share)
-          {
-            if (share > told + ProgressStep)
-            {
-              told = share;
-              QMetaObject::invokeMethod(this, [this, share] { emit this->Progressed(share); });
-            }
-            return !this->IsStopped;
-          });
-      }
-      catch (...)
-      {
-        failure = std::current_exception();
-      }
-      QMetaObject::invokeMethod(this, [=] { this->Finish(failure, done); });
+      told = share;
+      QMetaObject::invokeMethod(this, [this, share] { emit this->Progressed(share); });
+    }
+    return !this->IsStopped;
+  };
+  const auto task = std::make_shared<std::packaged_task<void()>>([=] { job(tell); });
+  this->Thread = std::thread(
+    [=]
+    {
+      (*task)();
+      QMetaObject::invokeMethod(this, [=] { this->Finish(*task, done); });
     });
   emit this->Changed();
 }
 
-void Workbench::Finish(const std::exception_ptr& failure, const std::function<void()>& done)
+void Workbench::Finish(std::packaged_task<void()>& task, const std::function<void()>& done)
 {
   this->Thread.join();
   if (std::exchange(this->Builds, false))
@@ -229,10 +252,7 @@ void Workbench::Finish(const std::exception_ptr& failure, const std::function<vo
   this->Try(
     [&]
     {
-      if (failure)
-      {
-        std::rethrow_exception(failure);
-      }
+      task.get_future().get(); // throws what the job has thrown
       done();
     });
   emit this->Changed();
@@ -285,23 +305,21 @@ void Workbench::Take(Request& loaded)
 
 void Workbench::OpenPath(const QString& name)
 {
-  this->Try(
-    [&]
-    {
-      const std::string path = QFile::encodeName(name).toStdString();
-      if (IsSessionName(path))
-      {
-        this->SessionFile = path;
-        this->Open(ReadSession(path));
-        return;
-      }
-      Session session;
-      session.Source.Path = path;
-      session.Settings.Choices = this->Data.Settings().Choices;
-      session.Settings.HasShading = this->Data.Settings().HasShading;
-      session.Settings.Shading = this->Data.Settings().Shading;
-      this->Open(session);
-    });
+  if (name.isEmpty())
+  {
+    return; // the dialog was left
+  }
+  const std::string path = QFile::encodeName(name).toStdString();
+  Session session;
+  session.Source.Path = path;
+  const auto& now = this->Data.Settings().Values;
+  std::copy(now.begin(), now.begin() + Row::Density, session.Settings.Values.begin());
+  if (IsSessionName(path))
+  {
+    this->SessionFile = path;
+    session = ReadSession(path);
+  }
+  this->Open(session);
 }
 
 void Workbench::Ask(const std::function<Request()>& request)
@@ -349,54 +367,45 @@ void Workbench::PrepareDrag()
 
 void Workbench::SaveSession(const std::string& path)
 {
-  this->Try(
-    [&]
-    {
-      this->Data.Save(path);
-      this->SessionFile = path;
-      this->RenderSoon();
-      this->Say("Saved " + path);
-    });
+  this->Data.Save(path);
+  this->SessionFile = path;
+  this->RenderSoon();
+  this->Say("Saved " + path);
 }
 
 // Without a path it is counted up, without a size it is that of the view, as often as chosen.
 void Workbench::SavePicture(const std::string& path, int width, int height)
 {
-  this->Try(
-    [&]
-    {
-      if (this->Builds)
-      {
-        throw UserError("The isomap is being built; wait for it, or stop it with Escape.");
-      }
-      const int scale = std::stoi(this->Data.Settings().TextOf(Choose::Scale));
-      const int* size = this->Data.View.Renderer->GetSize();
-      this->Render();
-      const vtkSmartPointer<vtkImageData> picture = width > 0
-        ? this->Data.View.Picture(width, height)
-        : scale > 1 ? this->Data.View.Picture(scale * size[0], scale * size[1])
-                    : this->Data.View.LastFrame();
-      if (!path.empty())
-      {
-        WritePng(picture, path, "name another file");
-      }
-      this->Say("Saved " + (path.empty() ? this->Output.Save(picture) : path));
-    });
+  if (this->Builds)
+  {
+    throw UserError("The isomap is being built; wait for it, or stop it with Escape.");
+  }
+  const int scale = std::stoi(this->Data.Settings().TextOf(Row::Scale));
+  const int* size = this->Data.View.Renderer->GetSize();
+  const bool isAsSeen = width == 0 && scale == 1;
+  this->Render();
+  const vtkSmartPointer<vtkImageData> picture = isAsSeen
+    ? this->Data.View.LastFrame()
+    : this->Data.View.Picture(
+        width > 0 ? width : scale * size[0], width > 0 ? height : scale * size[1]);
+  if (!path.empty())
+  {
+    WritePng(picture, path, "name another file");
+  }
+  this->Say("Saved " + (path.empty() ? this->Output.Save(picture) : path));
 }
 
 void Workbench::ToggleRecording()
 {
-  this->Try(
-    [this]
-    {
-      if (this->Output.IsRecording())
-      {
-        this->Say(this->Output.Stop());
-        return;
-      }
-      this->Output.Start(this->Data.Settings().TextOf(Choose::Film));
-      this->Say("Recording every frame");
-    });
+  if (this->Output.IsRecording())
+  {
+    this->Say(this->Output.Stop());
+  }
+  else
+  {
+    this->Output.Start(this->Data.Settings().TextOf(Row::Film));
+    this->Say("Recording every frame");
+  }
   emit this->Changed();
 }
 
@@ -457,9 +466,9 @@ void Workbench::AddMarker(const Marker& marker)
 
 void Workbench::AddMarker()
 {
-  const std::array<double, 2>& range = this->Data.Counted().Range;
   Marker marker = this->Markers()[this->Selected()];
-  marker.Value += (marker.Value < 0.5 * (range[0] + range[1]) ? 0.2 : -0.2) * (range[1] - range[0]);
+  const double share = this->Data.ShareOf(marker.Value);
+  marker.Value = this->Data.ValueAt(share + (share < 0.5 ? 0.2 : -0.2));
   this->AddMarker(marker);
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <future>
 #include <thread>
 
 class vtkRenderWindow;
@@ -47,10 +48,14 @@ public:
   }
   void SetDragging(bool isDragging); // frames are to be made fast, or well
   void Show(const Look& look);       // as it is, for undo
-  void Turn(Choose::Which what, int steps);
+  void Turn(std::size_t choice, int steps);
+  // Of the range of a number, on the slider's scale.
+  double ShareOf(const Setting& number);
+  void SetShare(const Setting& number, double share);
 
   void Open(const Session& session);
-  void OpenPath(const QString& path); // a session, or a volume to be looked at likewise
+  // A session, or a volume to be looked at likewise. Throws UserError.
+  void OpenPath(const QString& path);
   void Ask(const std::function<Request()>& request); // for another array or time step
   void BuildIsomap(bool isAsked = true);             // else nothing is said of it
   void PrepareDrag();                                // of an isovalue
@@ -59,6 +64,7 @@ public:
   const std::string& Doing() const { return this->What; } // what takes long, for people
   bool IsBuilding() const { return this->Builds; }        // an isomap: the view stands still
 
+  // These three throw UserError.
   void SaveSession(const std::string& path);
   void SavePicture(const std::string& path = "", int width = 0, int height = 0);
   void ToggleRecording();
@@ -93,9 +99,10 @@ signals:
   void Said(const QString& sentence, bool isWarning);
 
 private:
+  double& NumberOf(const Setting& number, Look& look);
   using Job = std::function<void(const Progress&)>;
   void Start(const std::string& what, const Job& job, const std::function<void()>& done);
-  void Finish(const std::exception_ptr& failure, const std::function<void()>& done);
+  void Finish(std::packaged_task<void()>& task, const std::function<void()>& done);
   void Load(Request request);
   void Take(Request& loaded);
   void ListenToMapper();

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Model/Settings.h"
+
+#include "Model/Model.h"
+#include "View/Appearance.h"
+
+#include <algorithm>
+
+namespace
+{
+
+Setting SideOfBox(const char* label, double standard, std::size_t axis)
+{
+  return { "crop", label, "a side of the box", "Crop", '\0', {}, nullptr, standard, {}, axis,
+    Row::Cropping };
+}
+
+Setting Reflection(const char* label, const char* help, double most)
+{
+  return { "shading", label, help, "Light", '\0', {}, nullptr, 0.0, { 0.0, most }, {},
+    Row::OwnShading };
+}
+
+std::vector<Setting> MakeTable()
+{
+  const std::vector<const char*> onOff = { "off", "on" };
+  return {
+    { "palette", "Colours", "colours over the values", "Surfaces", 'P', PaletteNames() },
+    { "material", "Material", "material: matt or glossy", "Light", 'M', MaterialNames() },
+    { "light", "Light", "light: where it comes from", "Light", 'L', LightNames() },
+    { "surface", "Surface", "open surface or capped solid", "Surfaces", 'V',
+      { "crossing", "solid" }, &Model::DrawsSurfaces },
+    { "accuracy", "Accuracy", "accuracy of pictures as the view moves", "Re-use", 'A',
+      { "exact", "paper" } },
+    { "image-cache", "Re-use pictures", "start from earlier pictures where the accuracy lets it",
+      "Re-use", 'C', onOff, nullptr, 1.0 },
+    { "isomap", "Isomap", "isomap: look isovalues up in a still view", "Re-use", 'I', onOff,
+      nullptr, 1.0 },
+    { "leaping", "Space leaping", "leap over empty space", "Re-use", 'J', onOff, nullptr, 1.0 },
+    { "map-ahead", "Isomap at first drag", "build the whole isomap when a drag begins", "Re-use",
+      'K', onOff, nullptr, 1.0 },
+    { "answers", "Yellow: cast anew", "yellow: what the image cache did not serve", "Re-use", 'Y',
+      onOff },
+    { "scale", "Picture scale", "size of a saved picture, in views", "Re-use", 'X',
+      { "1", "2", "4" } },
+    { "film", "Recording", "recordings as pictures or as a film", "Re-use", 'F', { "png", "ogv" } },
+    { "gradients", "Mesh normals", "normals of meshes: those of cells, with facets, or smooth",
+      "Light", 'G', { "facets", "smooth" }, &Model::DrawsMesh },
+    { "drawing", "Draw", "surfaces, or the blended volume", "Surfaces", 'D',
+      { "surfaces", "composite", "maximum", "minimum", "average", "additive" },
+      &Model::DrawsImage },
+    { "clipping", "Clip by a plane", "clip by a plane: drag it, or its arrow, in the view", "Clip",
+      'T', onOff },
+    { "cropping", "Crop to a box", "crop to a box: drag its sides in the view", "Crop", 'E',
+      onOff },
+    { "", "", "", "", '\0', onOff },
+    Reflection("Ambient", "light from everywhere", 1.0),
+    Reflection("Diffuse", "light that shows the shape", 1.0),
+    Reflection("Specular", "how bright highlights are", 1.0),
+    Reflection("Power", "how small highlights are", 200.0),
+    { "density", "Density", "of the blended volume: how soon it is opaque", "Surfaces", '\0', {},
+      &Model::Blends, 1.0, { 1e-3, 1e3 }, {}, Row::Count, true },
+    SideOfBox("X from", -1e300, 0),
+    SideOfBox("X to", 1e300, 0),
+    SideOfBox("Y from", -1e300, 1),
+    SideOfBox("Y to", 1e300, 1),
+    SideOfBox("Z from", -1e300, 2),
+    SideOfBox("Z to", 1e300, 2),
+    { "", "Opacity", "of the selected surface: less is see-through", "Surfaces", '\0', {} },
+  };
+}
+
+}
+
+const std::vector<Setting>& AllSettings()
+{
+  static const std::vector<Setting> table = MakeTable();
+  return table;
+}
+
+std::size_t Setting::Place() const
+{
+  return static_cast<std::size_t>(this - AllSettings().data());
+}
+
+Look::Look()
+{
+  std::transform(AllSettings().begin(), AllSettings().begin() + Row::Count, this->Values.begin(),
+    [](const Setting& setting) { return setting.Default; });
+}
+
+const char* Look::TextOf(Row::Which choice) const
+{
+  return AllSettings()[choice].Words[static_cast<std::size_t>(this->Values[choice])];
+}

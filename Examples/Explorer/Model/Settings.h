@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Settings_h
+#define Settings_h
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+using Point = std::array<double, 3>;
+using Rgb = std::array<double, 3>; // 0 to 1
+using Box = std::array<double, 6>; // from and to, of x, y and z
+
+// The rows of the table of settings, in its order.
+struct Row
+{
+  enum Which : std::size_t
+  {
+    Palette,
+    Material,
+    Light,
+    Surface,
+    Accuracy,
+    ImageCache,
+    Isomap,
+    Leaping,
+    Ahead,
+    Answers,
+    Scale,
+    Film,
+    Gradients,
+    Drawing,
+    Clipping,
+    Cropping,
+    OwnShading, // else it is that of the material
+    Shading,    // ambient, diffuse, specular, power
+    Density = Shading + 4,
+    Crop, // a box along the data's own axes
+    Count = Crop + 6,
+    Opacity = Count, // is that of the selected marker
+  };
+};
+
+class Model;
+
+// A surface at an isovalue, or a node of the opacity of a blended volume.
+struct Marker
+{
+  double Value = 0.0;
+  double Opacity = 1.0;
+  bool IsVisible = true;         // of a surface
+  std::optional<Rgb> Color = {}; // none: the palette's
+};
+
+struct Plane // in the world; what the normal points to is seen
+{
+  Point Origin = {};
+  Point Normal = {}; // none: where it suits the view
+};
+
+// All settings that can be undone.
+struct Look
+{
+  Look(); // as by default
+  int Choice(Row::Which what) const { return static_cast<int>(this->Values[what]); }
+  const char* TextOf(Row::Which choice) const;
+
+  std::array<double, Row::Count> Values; // of a choice: the place of its word
+  std::vector<Marker> Surfaces;          // one at least, once a volume is open
+  std::vector<Marker> Nodes;             // in ascending order of values; two at least
+  Plane Clip;
+};
+
+// A row of the table of settings: one of a few values, or a number. Panels, menus, keys, names of
+// what is undone, sessions and the help are made of the rows; VolumeView::Apply() draws with them.
+struct Setting
+{
+  const char* Name;  // in sessions, where rows of one name share a line; none: in no line
+  const char* Label; // for people
+  const char* Help;
+  const char* Panel; // and part of it; none: neither a panel nor a menu has it
+  char Key;
+  std::vector<const char*> Words;       // of a choice; none: it is a number
+  bool (Model::*For)() const = nullptr; // null: for any data, drawn in any way
+  double Default = 0.0;
+  // Of a number.
+  std::array<double, 2> Range = { 0.0, 1.0 };
+  std::optional<std::size_t> Axis = {}; // along which the data's bounds are the range
+  Row::Which Switch = Row::Count;       // goes on with a change; off: not in sessions
+  bool IsLogarithmic = false;
+
+  bool IsChoice() const { return !this->Words.empty(); }
+  std::size_t Place() const; // in the table
+};
+const std::vector<Setting>& AllSettings();
+
+#endif

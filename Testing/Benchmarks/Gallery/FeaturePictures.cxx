@@ -81,6 +81,37 @@ Shot Clipped(GallerySettings& settings)
     "three isovalues, two of them translucent, cut open by `AddClippingPlane()`");
 }
 
+/// The folds of a brain, without and with ambient occlusion.
+Shot Folds(GallerySettings& settings, bool areOccluded)
+{
+  const Subject subject = FirstOf({ { "ch2bet.nii.gz", "MR brain 181x217x181", { 80.0 },
+                                      { { -1.0, 0.7, 0.7 }, { 0.0, 0.0, 1.0 }, 1.5 } },
+                                    SpheresInstead({ 100.0 }) },
+    settings);
+  FeatureScene scene(settings, subject);
+  scene.Show({ { subject.Isovalues[0], Style::Coral } });
+  scene.Mapper->SetAmbientOcclusion(areOccluded);
+  constexpr int frames = 8; // 256 rays from each pixel: no grain is seen
+  for (int frame = 0; areOccluded && frame < frames; ++frame)
+  {
+    scene.Room.Photograph();
+  }
+  return areOccluded ? scene.Take("occlusion", "Ambient occlusion",
+                         "`AmbientOcclusionOn()`: folds are dark, as rays through the data tell")
+                     : scene.Take("no-occlusion", "Without ambient occlusion",
+                         "the same picture without it, for comparison");
+}
+
+Shot PlainFolds(GallerySettings& settings)
+{
+  return Folds(settings, false);
+}
+
+Shot DarkFolds(GallerySettings& settings)
+{
+  return Folds(settings, true);
+}
+
 /// The samples of an image, the farther apart the farther they are from the middle.
 vtkSmartPointer<vtkRectilinearGrid> Stretched(vtkImageData* image)
 {
@@ -325,6 +356,7 @@ const std::vector<Feature>& All()
     { "cropping", Cropped }, { "clipping", Clipped }, { "rectilinear", Rectilinear },
     { "blocks", Blocks }, { "unstructured", MeshPictures::Unstructured },
     { "curvilinear", MeshPictures::Curvilinear }, { "depth", AmongPolygons }, { "picking", Picked },
+    { "no-occlusion", PlainFolds }, { "occlusion", DarkFolds },
     { "blended", BlendedPictures::Tree }, { "glow", BlendedPictures::Fire } };
   return features;
 }

@@ -146,6 +146,23 @@ void TestOtherViews()
   }
 }
 
+/// All viewers of the data share its light: another camera at the same place, as in screenshots.
+void TestOtherCameras()
+{
+  TurningScene scene;
+  for (int frame = 0; frame < 16; ++frame)
+  {
+    vtkNew<vtkCamera> camera;
+    camera->DeepCopy(scene.Renderer->GetActiveCamera());
+    scene.Renderer->SetActiveCamera(camera);
+    scene.Turn(0.0);
+  }
+  const auto truth = TruthOf(scene);
+  const double kept = MeanError(scene.Color, truth), fresh = MeanError(FreshOf(scene), truth);
+  Expect(kept < 0.6 * fresh,
+    "other cameras: " + std::to_string(kept) + " instead of " + std::to_string(fresh));
+}
+
 /// In a still view the error falls from frame to frame, until the light is final.
 void TestStill()
 {
@@ -287,6 +304,7 @@ int TestKeptLight(int, char*[])
 {
   TestTurning();
   TestOtherViews();
+  TestOtherCameras();
   TestStill();
   TestForgetting();
   TestKeeping();

@@ -83,7 +83,7 @@ TEST_F(FieldStructuresTest, NothingIsKeptThatNobodyHolds)
 
 TEST_F(FieldStructuresTest, RenderersThatShareDoNotDisturbOneAnother)
 {
-  const auto shared = std::make_shared<FieldStructures>();
+  const SharedByViewers shared;
   FrameRenderer left(shared), right(shared);
   const auto expectCold = [](const FrameRenderer& renderer)
   {

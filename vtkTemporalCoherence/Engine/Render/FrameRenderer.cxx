@@ -53,7 +53,7 @@ bool FrameRenderer::Render(
     if (light)
     {
       statistics.IsFinal = light->IsFinal();
-      this->Light.Add(light->Found(), options.Light.MemoryLimit);
+      this->Light->Add(light->Found(), options.Light.MemoryLimit);
     }
   }
   this->TimeToBuild = statistics.IsomapBuildTime;
@@ -65,12 +65,17 @@ bool FrameRenderer::Render(
 std::unique_ptr<SurfaceLight> FrameRenderer::BeginLight(const FrameTask& task, Route route)
 {
   const FrameKey& key = task.Key;
-  if (!key.Appearance.Occlusion.IsOn() || !key.Appearance.Shade ||
-    key.Isosurfaces().Isovalues.empty() || !key.Samples.HasCells() || route == Route::Redisplay)
+  if (!key.Appearance.Occlusion.IsOn())
+  {
+    this->Light->Clear();
+    return nullptr;
+  }
+  if (!key.Appearance.Shade || key.Isosurfaces().Isovalues.empty() || !key.Samples.HasCells() ||
+    route == Route::Redisplay)
   {
     return nullptr;
   }
-  this->Light.Follow(key);
+  this->Light->Follow(key);
   const bool leaps = task.Options.SpaceLeaping;
   if (leaps)
   {
@@ -83,7 +88,7 @@ std::unique_ptr<SurfaceLight> FrameRenderer::BeginLight(const FrameTask& task, R
   return std::make_unique<SurfaceLight>(key, KindOf(key.Samples), finite,
     MakeSurfaceTracer({ key.Samples, key.Isosurfaces(), finite,
       task.Structures.SpaceToLeap(leaps).Active, false, Traversal::Walks }),
-    this->Light, isStill ? options.RaysWhenStill : options.RaysOfFrame, options.Rays, !isStill);
+    *this->Light, isStill ? options.RaysWhenStill : options.RaysOfFrame, options.Rays, !isStill);
 }
 
 /// Take a route. If the route proves impossible, take the next best and update `route`.
@@ -296,7 +301,7 @@ const FieldRanges& FrameRenderer::RangesOf(const FrameKey& key)
 
 void FrameRenderer::Release()
 {
-  *this = FrameRenderer(this->Structures.Sharing());
+  *this = FrameRenderer({ this->Structures.Sharing(), this->Light });
 }
 
 }

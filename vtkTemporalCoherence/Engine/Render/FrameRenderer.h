@@ -22,16 +22,22 @@ namespace TemporalCoherence
 
 struct FrameTask;
 
+/// What the renderers of all viewers share, because it does not depend on the view.
+struct SharedByViewers
+{
+  std::shared_ptr<FieldStructures> Structures = std::make_shared<FieldStructures>();
+  std::shared_ptr<LightCache> Light = std::make_shared<LightCache>();
+};
+
 /// Makes frames: asks the plan for a route, takes it, and keeps data that the next frame can use.
 class FrameRenderer
 {
 public:
   using Options = FrameOptions;
 
-  /// \param shared structures, also used by other renderers of the same data
-  explicit FrameRenderer(
-    std::shared_ptr<FieldStructures> shared = std::make_shared<FieldStructures>())
-    : Structures(std::move(shared))
+  explicit FrameRenderer(const SharedByViewers& shared = {})
+    : Structures(shared.Structures)
+    , Light(shared.Light)
   {
   }
 
@@ -88,10 +94,10 @@ private:
 
   FrameStore Store;
   FrameStructures Structures;
-  SampleComparer Changes; ///< from the samples of the last frame to those of the next
-  IsomapBuilder Map;      ///< of the view in which isovalues last changed
-  LightCache Light;       ///< of the surfaces that frames showed
-  KnotForm LastForm;      ///< as requested for the last frame
+  SampleComparer Changes;            ///< from the samples of the last frame to those of the next
+  IsomapBuilder Map;                 ///< of the view in which isovalues last changed
+  std::shared_ptr<LightCache> Light; ///< of the surfaces that frames showed
+  KnotForm LastForm;                 ///< as requested for the last frame
   std::vector<std::uint64_t> UnresolvedRays; ///< memory of LookUp
   FrameStatistics OfLastFrame;
   double TimeToBuild = 0.0;

@@ -3,7 +3,6 @@
 #ifndef TemporalCoherence_ViewerStates_h
 #define TemporalCoherence_ViewerStates_h
 
-#include "Acceleration/FieldStructures.h"
 #include "Input/CellOrigins.h"
 #include "Render/FrameRenderer.h"
 #include "Window/PeelPresenter.h"
@@ -44,8 +43,8 @@ struct Viewer
 /// The state of a viewer between frames.
 struct ViewerState
 {
-  explicit ViewerState(std::shared_ptr<FieldStructures> shared)
-    : Engine(std::move(shared))
+  explicit ViewerState(const SharedByViewers& shared)
+    : Engine(shared)
   {
   }
 
@@ -96,7 +95,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::shared_ptr<FieldStructures> Shared = std::make_shared<FieldStructures>();
+  SharedByViewers Shared;
   std::vector<std::shared_ptr<ViewerState>> States; ///< most recently used first
 };
 

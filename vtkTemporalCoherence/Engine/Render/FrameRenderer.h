@@ -22,7 +22,7 @@ namespace TemporalCoherence
 
 struct FrameTask;
 
-/// What the renderers of all viewers share, because it does not depend on the view.
+/// Structures and light that no view changes: the renderers of all viewers share them.
 struct SharedByViewers
 {
   std::shared_ptr<FieldStructures> Structures = std::make_shared<FieldStructures>();

@@ -151,11 +151,40 @@ void LightCache::Add(const Found& found)
   }
 }
 
+/// Make room for the blocks that new patches need.
+void LightCache::ReserveFor(const std::vector<std::vector<Found>>& tiles)
+{
+  std::size_t patches = 0;
+  for (const std::vector<Found>& tile : tiles)
+  {
+    patches += static_cast<std::size_t>(std::count_if(tile.begin(), tile.end(),
+      [](const Found& found) { return found.Rays > 0 && found.Block == NoBlock; }));
+  }
+  // A block of a surface has more than ten patches, of which half are new in the same frame.
+  constexpr std::size_t newOfBlock = 5;
+  const std::size_t blocks = this->Blocks.size() + patches / newOfBlock;
+  if (blocks > this->Blocks.capacity())
+  {
+    this->Blocks.reserve(blocks + blocks / 2);
+    this->Lights.reserve(blocks + blocks / 2);
+  }
+  std::size_t slots = std::max<std::size_t>(this->Slots.size(), 1024);
+  while (slots < 2 * blocks)
+  {
+    slots *= 2;
+  }
+  if (slots > this->Slots.size())
+  {
+    this->Resize(slots);
+  }
+}
+
 void LightCache::Add(const std::vector<std::vector<Found>>& tiles, std::size_t mostBytes)
 {
   ++this->Frames;
   try
   {
+    this->ReserveFor(tiles);
     for (const std::vector<Found>& tile : tiles)
     {
       for (const Found& found : tile)

@@ -109,6 +109,7 @@ private:
   void Add(const Found& found);
   void Insert(std::uint32_t block);
   void Resize(std::size_t slots);
+  void ReserveFor(const std::vector<std::vector<Found>>& tiles);
   void Drop(std::size_t mostBytes);
 
   std::vector<std::uint32_t> Slots; ///< a hash table of blocks; its size is a power of two

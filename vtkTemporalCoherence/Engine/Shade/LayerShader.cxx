@@ -48,17 +48,17 @@ void LayerShader::Shade(std::int64_t tile, HitList& hits, ShadedLayer* shaded) c
   const Surfaces& surfaces = this->Key.Isosurfaces();
   std::array<RayBatch::Array<double>, 3> gradients;
   ComputeNormals(this->Source, hits, surfaces.ByGradient.Nodes.empty() ? nullptr : &gradients);
-  RayBatch::Array<float> open, alphas;
+  RayBatch::Array<float> arriving;
   if (this->Light)
   {
-    this->Light->Find(tile, hits, false, open);
+    this->Light->Find(tile, hits, false, arriving);
   }
   ShadingKernels::PhongSums sums;
-  SumLight(this->Key.Appearance, hits, this->Light ? &open : nullptr, sums);
-  FindOpacities(surfaces, gradients, hits, alphas);
+  SumLight(this->Key.Appearance, hits, this->Light ? &arriving : nullptr, sums);
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
-    shaded[i] = { { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, hits.Normal[i], alphas[i] };
+    shaded[i] = { { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, hits.Normal[i],
+      OpacityOf(surfaces, hits, i, gradients) };
   }
 }
 

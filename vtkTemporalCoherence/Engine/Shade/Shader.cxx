@@ -292,24 +292,6 @@ void LoadNormals(const Frame& frame, HitList& hits)
   }
 }
 
-void FindOpacities(const Surfaces& surfaces, const std::array<Array<double>, 3>& gradients,
-  const HitList& hits, Array<float>& opacities)
-{
-  const GradientOpacity& byGradient = surfaces.ByGradient;
-  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
-  {
-    double alpha = surfaces.Opacities.empty()
-      ? 1.0
-      : surfaces.Opacities[static_cast<std::size_t>(hits.Surface[i])];
-    if (!byGradient.Nodes.empty())
-    {
-      const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
-      alpha *= byGradient.At(glm::length(gradient * byGradient.PerStep));
-    }
-    opacities[i] = static_cast<float>(alpha);
-  }
-}
-
 void SumLight(const Appearance& appearance, const HitList& hits, const Array<float>* open,
   ShadingKernels::PhongSums& sums)
 {

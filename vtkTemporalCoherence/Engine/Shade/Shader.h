@@ -92,11 +92,21 @@ void ComputeNormals(const NormalSource& source, HitList& hits,
 void StoreNormals(const HitList& hits, Frame& frame);
 void LoadNormals(const Frame& frame, HitList& hits);
 
-/// Find the opacities of hits.
-/// \param gradients of the field, per index step, if opacities depend on them
-void FindOpacities(const Surfaces& surfaces,
-  const std::array<RayBatch::Array<double>, 3>& gradients, const HitList& hits,
-  RayBatch::Array<float>& opacities);
+/// The opacity of a hit.
+/// \param gradients of the field at the hits, per index step, if opacities depend on them
+inline float OpacityOf(const Surfaces& surfaces, const HitList& hits, std::size_t hit,
+  const std::array<RayBatch::Array<double>, 3>& gradients)
+{
+  double opacity = surfaces.Opacities.empty()
+    ? 1.0
+    : surfaces.Opacities[static_cast<std::size_t>(hits.Surface[hit])];
+  if (!surfaces.ByGradient.Nodes.empty())
+  {
+    const glm::dvec3 gradient(gradients[0][hit], gradients[1][hit], gradients[2][hit]);
+    opacity *= surfaces.ByGradient.At(glm::length(gradient * surfaces.ByGradient.PerStep));
+  }
+  return static_cast<float>(opacity);
+}
 
 /// Find the colours of hits from their positions and normals.
 ///

@@ -163,12 +163,10 @@ std::int64_t OcclusionTracer::TraceLayers(
       {
         ComputeNormals(this->Source, hits, &gradients);
       }
-      RayBatch::Array<float> alphas;
-      FindOpacities(this->Key.Isosurfaces(), gradients, hits, alphas);
       for (std::size_t i = 0; i < count; ++i)
       {
         float& ofRay = passed[layers.Ray[first + i]];
-        ofRay = PassedBehind(ofRay, alphas[i]);
+        ofRay = PassedBehind(ofRay, OpacityOf(this->Key.Isosurfaces(), hits, i, gradients));
       }
     }
   } while (layers.BeginNext(rays.Count, passed));

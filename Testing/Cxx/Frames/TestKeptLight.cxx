@@ -223,6 +223,21 @@ void TestForgetting()
   }
 }
 
+/// Where a time step changes a surface, others that it changes nothing of may get less light.
+void TestTimeStep()
+{
+  TurningScene scene;
+  scene.Turn(0.0);
+  auto* image = static_cast<vtkImageData*>(scene.Mapper->GetInput());
+  for (const int at : { 20, 28, 24 }) // from the second one on, tiles could be copied
+  {
+    *static_cast<float*>(image->GetScalarPointer(at, 24, 40)) += 100.0f;
+    image->GetPointData()->GetScalars()->Modified();
+    scene.Turn(0.0);
+    Expect(AreIdentical(scene.Color, FreshOf(scene)), "time step " + std::to_string(at));
+  }
+}
+
 /// Colours, light and material do not change what is known of the surroundings.
 void TestKeeping()
 {
@@ -307,6 +322,7 @@ int TestKeptLight(int, char*[])
   TestOtherCameras();
   TestStill();
   TestForgetting();
+  TestTimeStep();
   TestKeeping();
   TestThreads();
   TestOff();

@@ -34,6 +34,17 @@ TEST(ReusePlan, NothingChanged)
   EXPECT_EQ(Plan(BaseKey()), Route::Redisplay);
 }
 
+TEST(ReusePlan, ChangedSurfacesDarkenOthers)
+{
+  FrameKey before = BaseKey();
+  before.Appearance.Occlusion.Radius = 1.0;
+  FrameKey key = before;
+  key.Samples.Stamp = 2;
+  HeldForReuse held;
+  held.ShareToTrace = 0.1;
+  EXPECT_EQ(PlanRoute(before, key, {}, held), Route::Cold);
+}
+
 TEST(ReusePlan, LightGoesOn)
 {
   HeldForReuse held;

@@ -14,12 +14,13 @@ namespace
 constexpr double MostToTrace = 0.5;
 
 /// True if parts of the last picture can be copied exactly. With ColorByAnswer they cannot: a
-/// copied pixel would need the colour of its new answer.
+/// copied pixel would need the colour of its new answer. With ambient occlusion they cannot,
+/// either: changed surfaces darken others.
 bool CanCopy(const FrameChange& change, const FrameKey& next, const HeldForReuse& held)
 {
   return change.Samples && !change.View && !change.Surfaces && !change.Opacity &&
-    !change.Appearance && !next.Appearance.ColorByAnswer && held.IsExact &&
-    held.ShareToTrace <= MostToTrace;
+    !change.Appearance && !next.Appearance.ColorByAnswer && !next.Appearance.Occlusion.IsOn() &&
+    held.IsExact && held.ShareToTrace <= MostToTrace;
 }
 
 /// True if the last picture knows the first layers of the next one, and where the search for others

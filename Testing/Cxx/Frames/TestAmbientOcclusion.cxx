@@ -83,9 +83,11 @@ double OpenShare(
 }
 
 /// Compare the final light of some pixels with brute force.
-void ExpectTruth(const std::string& name, LitScene& scene, const BruteForceTracer& truth)
+void ExpectTruth(
+  const std::string& name, LitScene& scene, const BruteForceTracer& truth, double radius)
 {
-  const double radius = scene.Mapper->GetAmbientOcclusionRadius();
+  scene.Mapper->SetAmbientOcclusionRadius(radius);
+  scene.LookFrom(2.0, -3.0, 2.5);
   scene.RenderFinal(Width, Height);
   vtkNew<vtkImageData> frame;
   scene.Mapper->GetLastFrame(frame);
@@ -140,11 +142,9 @@ void TestImages()
     LitScene scene(image, { 100.0 });
     scene.Volume->SetOrientation(20.0, 30.0, 40.0);
     scene.Volume->SetScale(1.0, 2.0, 1.5);
-    scene.LookFrom(2.0, -3.0, 2.5);
-    scene.Mapper->SetAmbientOcclusionRadius(6.0);
     BruteForceTracer truth(image, scene.Volume);
     truth.Isovalues = { 100.0 };
-    ExpectTruth("type " + std::to_string(type), scene, truth);
+    ExpectTruth("type " + std::to_string(type), scene, truth, 6.0);
   }
 }
 
@@ -156,14 +156,12 @@ void TestModes()
     LitScene scene(image, { 100.0, 112.0 });
     scene.Volume->GetProperty()->SetInterpolationType(
       isNearest ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
-    scene.LookFrom(2.0, -3.0, 2.5);
-    scene.Mapper->SetAmbientOcclusionRadius(3.0);
     BruteForceTracer truth(image, scene.Volume);
     truth.Isovalues = { 100.0, 112.0 };
-    ExpectTruth(isNearest ? "nearest" : "two isovalues", scene, truth);
+    ExpectTruth(isNearest ? "nearest" : "two isovalues", scene, truth, 3.0);
     scene.Mapper->SetSurfaceModeToThreshold();
     truth.IsThreshold = true;
-    ExpectTruth(isNearest ? "nearest solid" : "two solids", scene, truth);
+    ExpectTruth(isNearest ? "nearest solid" : "two solids", scene, truth, 3.0);
   }
 }
 
@@ -172,11 +170,9 @@ void TestGrids()
   const auto along = Grids::FineInside(24, 0.5);
   const auto grid = Grids::FromFormula({ along, along, along }, VTK_DOUBLE, BallAndBowl);
   LitScene scene(grid, { 100.0 });
-  scene.LookFrom(2.0, -3.0, 2.5);
-  scene.Mapper->SetAmbientOcclusionRadius(0.5);
   BruteForceTracer truth(grid, scene.Volume);
   truth.Isovalues = { 100.0 };
-  ExpectTruth("rectilinear grid", scene, truth);
+  ExpectTruth("rectilinear grid", scene, truth, 0.5);
 }
 
 /// Voxels as a mesh show the light of the image.
@@ -188,11 +184,9 @@ void TestMeshes()
   toMesh->Update();
   LitScene scene(toMesh->GetOutput(), { 100.0 });
   scene.Mapper->SmoothMeshNormalsOn();
-  scene.LookFrom(2.0, -3.0, 2.5);
-  scene.Mapper->SetAmbientOcclusionRadius(3.0);
   BruteForceTracer truth(image, scene.Volume);
   truth.Isovalues = { 100.0 };
-  ExpectTruth("mesh", scene, truth);
+  ExpectTruth("mesh", scene, truth, 3.0);
 }
 
 /// Nothing keeps light away from a convex surface, also where it is cut.

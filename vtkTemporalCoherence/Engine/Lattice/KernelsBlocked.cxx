@@ -19,8 +19,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
 {
-namespace BlockedKernels
-{
 namespace HWY_NAMESPACE
 {
 
@@ -142,7 +140,7 @@ private:
 };
 
 template <typename Real>
-HWY_INLINE std::uint64_t FindAll(
+HWY_INLINE std::uint64_t FindBlockedAll(
   const BlockingScene<Real>& scene, const RayBatch& rays, std::int64_t& cellsRead)
 {
   const Doubles d;
@@ -170,19 +168,18 @@ HWY_INLINE std::uint64_t FindAll(
   return all;
 }
 
-std::uint64_t FindFloat(
+std::uint64_t FindBlockedFloat(
   const BlockingScene<float>& scene, const RayBatch& rays, std::int64_t& cellsRead)
 {
-  return FindAll(scene, rays, cellsRead);
+  return FindBlockedAll(scene, rays, cellsRead);
 }
 
-std::uint64_t FindDouble(
+std::uint64_t FindBlockedDouble(
   const BlockingScene<double>& scene, const RayBatch& rays, std::int64_t& cellsRead)
 {
-  return FindAll(scene, rays, cellsRead);
+  return FindBlockedAll(scene, rays, cellsRead);
 }
 
-}
 }
 }
 HWY_AFTER_NAMESPACE();
@@ -190,36 +187,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace TemporalCoherence
 {
-namespace BlockedKernels
-{
 
-HWY_EXPORT(FindFloat);
-HWY_EXPORT(FindDouble);
-
-static std::uint64_t Find(
-  const BlockingScene<float>& scene, const RayBatch& rays, std::int64_t& cellsRead)
-{
-  return HWY_DYNAMIC_DISPATCH(FindFloat)(scene, rays, cellsRead);
-}
-
-static std::uint64_t Find(
-  const BlockingScene<double>& scene, const RayBatch& rays, std::int64_t& cellsRead)
-{
-  return HWY_DYNAMIC_DISPATCH(FindDouble)(scene, rays, cellsRead);
-}
-
-}
+HWY_EXPORT(FindBlockedFloat);
+HWY_EXPORT(FindBlockedDouble);
 
 std::uint64_t FindBlocked(
   const BlockingScene<float>& scene, const RayBatch& rays, std::int64_t& cellsRead)
 {
-  return BlockedKernels::Find(scene, rays, cellsRead);
+  return HWY_DYNAMIC_DISPATCH(FindBlockedFloat)(scene, rays, cellsRead);
 }
 
 std::uint64_t FindBlocked(
   const BlockingScene<double>& scene, const RayBatch& rays, std::int64_t& cellsRead)
 {
-  return BlockedKernels::Find(scene, rays, cellsRead);
+  return HWY_DYNAMIC_DISPATCH(FindBlockedDouble)(scene, rays, cellsRead);
 }
 
 }

@@ -17,12 +17,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
 {
-namespace WalkKernels
-{
 namespace HWY_NAMESPACE
 {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+using WalkKernels::HWY_NAMESPACE::BitsOfMask;
+using WalkKernels::HWY_NAMESPACE::Doubles;
+using WalkKernels::HWY_NAMESPACE::M;
+using WalkKernels::HWY_NAMESPACE::WalkVector;
 
 /// Begin the walks of a vector, or go on with them.
 HWY_INLINE void Resume(const RayWalks& walks, std::size_t first, WalkVector& vector)
@@ -114,29 +117,14 @@ void ListActive(const WalkScene& scene, RayWalks& walks, NextCells& next)
 
 }
 }
-}
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace TemporalCoherence
 {
-namespace WalkKernels
-{
 
 HWY_EXPORT(FindActive);
 HWY_EXPORT(ListActive);
-
-static std::uint64_t Find(const WalkScene& scene, RayWalks& walks)
-{
-  return HWY_DYNAMIC_DISPATCH(FindActive)(scene, walks);
-}
-
-static void List(const WalkScene& scene, RayWalks& walks, NextCells& next)
-{
-  HWY_DYNAMIC_DISPATCH(ListActive)(scene, walks, next);
-}
-
-}
 
 RayWalks::RayWalks(const RayBatch& rays, std::uint64_t which)
 {
@@ -199,7 +187,7 @@ void KeepRays(std::uint64_t which, RayWalks& walks)
 
 void FindActiveCells(const WalkScene& scene, RayWalks& walks)
 {
-  const std::uint64_t found = WalkKernels::Find(scene, walks);
+  const std::uint64_t found = HWY_DYNAMIC_DISPATCH(FindActive)(scene, walks);
   walks.HasBegun = true;
   KeepRays(found, walks);
 }
@@ -208,7 +196,7 @@ void ListActiveCells(const WalkScene& scene, RayWalks& walks, NextCells& next)
 {
   next.Count.fill(0);
   walks.Distance.fill(std::numeric_limits<double>::infinity());
-  WalkKernels::List(scene, walks, next);
+  HWY_DYNAMIC_DISPATCH(ListActive)(scene, walks, next);
   walks.HasBegun = true;
 }
 

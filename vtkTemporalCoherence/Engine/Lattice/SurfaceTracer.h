@@ -74,6 +74,7 @@ public:
 
   /// Find the rays that meet any surface, when all surfaces are opaque. Thread-safe. By default by
   /// Trace.
+  /// \pre with THRESHOLD, rays begin next to a surface
   /// \param rays      arrays are filled up to the end of the last vector
   /// \param cellsRead grows by the number of cells that were read
   /// \return one bit for each ray that does

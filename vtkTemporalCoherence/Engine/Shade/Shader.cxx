@@ -138,7 +138,7 @@ void TurnOutside(const HitList& hits, ShadingKernels::PhongSums& sums)
 }
 
 /// Colours of hits without any light.
-void BeginSums(const Appearance& appearance, const HitList& hits, const Array<float>* open,
+void BeginSums(const Appearance& appearance, const HitList& hits, const Array<float>* arriving,
   ShadingKernels::PhongSums& sums)
 {
   const auto ambient = static_cast<float>(appearance.Shade ? appearance.Ambient : 1.0);
@@ -166,9 +166,9 @@ void BeginSums(const Appearance& appearance, const HitList& hits, const Array<fl
       }
       FillLastVector(sums.Count, sums.Color[a]);
     }
-    for (std::size_t i = 0; open && i < WholeVectors(sums.Count); ++i)
+    for (std::size_t i = 0; arriving && i < WholeVectors(sums.Count); ++i)
     {
-      sums.Color[a][i] *= (*open)[i];
+      sums.Color[a][i] *= (*arriving)[i];
     }
     for (std::size_t i = 0; i < WholeVectors(sums.Count); ++i)
     {
@@ -292,10 +292,10 @@ void LoadNormals(const Frame& frame, HitList& hits)
   }
 }
 
-void SumLight(const Appearance& appearance, const HitList& hits, const Array<float>* open,
+void SumLight(const Appearance& appearance, const HitList& hits, const Array<float>* arriving,
   ShadingKernels::PhongSums& sums)
 {
-  BeginSums(appearance, hits, open, sums);
+  BeginSums(appearance, hits, arriving, sums);
   if (appearance.Shade)
   {
     for (const Light& light : appearance.Lights)
@@ -310,21 +310,21 @@ void SumLight(const Appearance& appearance, const HitList& hits, const Array<flo
 }
 
 void ShadeHits(
-  const Appearance& appearance, const HitList& hits, const Array<float>* open, Frame& frame)
+  const Appearance& appearance, const HitList& hits, const Array<float>* arriving, Frame& frame)
 {
   if (hits.Rays.Count == 0)
   {
     return;
   }
   Array<std::array<std::uint8_t, 4>> colors;
-  if (!open && IsLitSimply(appearance))
+  if (!arriving && IsLitSimply(appearance))
   {
     ShadingKernels::FindColors(hits.Rays, hits.Normal, LightOf(appearance), colors);
   }
   else
   {
     ShadingKernels::PhongSums sums;
-    SumLight(appearance, hits, open, sums);
+    SumLight(appearance, hits, arriving, sums);
     ShadingKernels::RoundColors(sums, colors);
   }
   StoreToPlane(hits, colors, frame.Colors);

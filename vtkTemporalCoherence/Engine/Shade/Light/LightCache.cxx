@@ -10,6 +10,14 @@
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+/// Bytes of a block: its place, its patches, and two slots.
+constexpr std::size_t BytesOfBlock = 36 + 256 + 2 * sizeof(std::uint32_t);
+
+}
+
 void LightCache::Follow(const FrameKey& key)
 {
   const Surfaces& surfaces = key.Isosurfaces();
@@ -107,6 +115,7 @@ void LightCache::Resize(std::size_t slots)
 }
 
 /// The position of the block of a place. A new block is appended.
+/// \pre there are slots (ReserveFor)
 std::uint32_t LightCache::ProvideBlock(const PatchPlace& place)
 {
   const std::uint32_t known = this->FindBlock(HashOfBlock(place), place);
@@ -114,10 +123,9 @@ std::uint32_t LightCache::ProvideBlock(const PatchPlace& place)
   {
     return known;
   }
-  constexpr std::size_t fewest = 1024;
   if (2 * (this->Blocks.size() + 1) > this->Slots.size())
   {
-    this->Resize(std::max(fewest, 2 * this->Slots.size()));
+    this->Resize(2 * this->Slots.size());
   }
   Block block{ place, NoBlock, this->Frames };
   block.Place.Patch = 0;
@@ -208,14 +216,6 @@ void LightCache::Add(const std::vector<std::vector<Found>>& tiles, std::size_t m
   {
     this->Clear();
   }
-}
-
-namespace
-{
-
-/// Bytes of a block: its place, its patches, and two slots.
-constexpr std::size_t BytesOfBlock = 36 + 256 + 2 * sizeof(std::uint32_t);
-
 }
 
 std::size_t LightCache::Bytes() const

@@ -83,9 +83,8 @@ public:
   };
 
   /// Add what the tiles of a frame found, in their order.
-  /// \param mostBytes of memory: the patches that were not seen for the longest time are dropped.
-  ///                  Those of this frame stay.
-  ///                  Without memory, all are.
+  /// \param mostBytes of memory. Beyond it, the patches that were not seen for the longest time are
+  ///                  dropped, but no patch of this frame. If memory runs out, all are dropped.
   void Add(const std::vector<std::vector<Found>>& tiles, std::size_t mostBytes);
 
   /// Number of frames that were added since the cache was empty.

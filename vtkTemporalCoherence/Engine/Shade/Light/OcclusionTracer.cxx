@@ -100,6 +100,7 @@ std::int64_t OcclusionTracer::TraceOpaque(
   std::uint64_t blocked = 0;
   if (this->Clipper.HasPieces())
   {
+    // A later piece may begin inside a solid, far from any surface: only Trace finds its cap.
     HitBatch hits;
     hits.Clear(batch.Count);
     FindInPieces(this->Clipper, batch, hits,

@@ -109,16 +109,13 @@ private:
 /// one sends its rays in each frame. The first frame has two of them.
 std::uint32_t SurfaceLight::RaysOf(std::int32_t pixel, std::uint32_t known) const
 {
+  const int x = pixel % this->Key.View.Size.x, y = pixel / this->Key.View.Size.x;
+  const auto place = static_cast<std::uint32_t>((x & 1) ^ (y & 1)) + 2 * (y & 1);
+  const std::uint32_t frame = this->Kept.NumberOfFrames();
+  const bool isTurn =
+    !this->SharesPixels || (frame == 0 ? (place & 1u) == 0 : place == (frame & 3u));
   const std::uint32_t left = this->RaysInAll - std::min(known, this->RaysInAll);
-  if (this->SharesPixels)
-  {
-    const int x = pixel % this->Key.View.Size.x, y = pixel / this->Key.View.Size.x;
-    const std::uint32_t frame = this->Kept.NumberOfFrames();
-    const auto place = static_cast<std::uint32_t>((x & 1) ^ (y & 1)) + 2 * (y & 1);
-    const bool isTurn = frame == 0 ? (place & 1u) == 0 : place == (frame & 3u);
-    return isTurn ? std::min(this->RaysOfFrame, left) : 0;
-  }
-  return std::min(this->RaysOfFrame, left);
+  return isTurn ? std::min(this->RaysOfFrame, left) : 0;
 }
 
 std::int64_t SurfaceLight::Find(

@@ -24,8 +24,8 @@ struct LightOptions
   std::size_t MemoryLimit = std::size_t(256) << 20; ///< bytes of kept light
 };
 
-/// The light that reaches the surfaces of one frame: traces some rays, and adds them to the light
-/// that is kept. Thread-safe, one thread a tile.
+/// The light that reaches the surfaces of one frame: traces some rays, and joins what they find
+/// with the kept light. Thread-safe, one thread a tile.
 class SurfaceLight
 {
 public:

@@ -45,7 +45,7 @@ struct RayBatch
   std::array<Array<double>, 3> Origin, Direction;
   std::array<Array<double>, 3> Inverse; ///< 1 / Direction
   Array<double> Begin, End, WalkBegin, WalkEnd;
-  Array<double> PerDepth;    ///< t for each unit of the projection's divisor
+  Array<double> PerDepth;    ///< t for each unit of the projection's divisor; 0: rays of no view
   Array<std::int32_t> Pixel; ///< position in the planes of the frame
   bool MayBeCapped = true;   ///< false: no ray begins in a solid
 

@@ -29,7 +29,8 @@ public:
     : Lattice(tree.Dimensions().x + tree.Dimensions().y + tree.Dimensions().z)
   {
     this->Forward = AheadOf(rays, 0);
-    if (rays.Count == RayBatch::Capacity)
+    const bool areOfView = rays.PerDepth[0] != 0.0;
+    if (rays.Count == RayBatch::Capacity && areOfView)
     {
       this->FindRows(rays);
       this->Forward = this->IsKnown ? this->Seen.Row[0] : this->Forward;

@@ -38,6 +38,7 @@ void OcclusionTracer::SetUp(const LightRays& rays, double length, RayBatch& batc
 {
   const glm::dmat4& toIndex = this->Key.Transform.IndexFromWorld;
   batch.Count = static_cast<int>(rays.Count);
+  batch.PerDepth.fill(0.0); // of no view
   for (std::size_t i = 0; i < rays.Count; ++i)
   {
     batch.Begin[i] = this->Begin;

@@ -96,6 +96,18 @@ TEST(LightCacheTest, FindsWhatWasAdded)
   EXPECT_EQ(Find(cache, PlaceOf({ 4.4, 5.6, 6.6 }, 2.0)).Own.Rays(), 7u);
 }
 
+TEST(LightCacheTest, PatchesWithManyRaysNeedNoLargerOnes)
+{
+  LightCache cache;
+  const PatchPlace place = PlaceOf({ 4.5, 5.5, 6.5 });
+  cache.Add({ { Of(place, LightCache::FewRays, 0), Of(place, 5, 5) } }, Much);
+  const LightCache::Known known = Find(cache, place);
+  EXPECT_EQ(known.Own.Rays(), LightCache::FewRays + 5);
+  EXPECT_EQ(known.Larger[0].Rays(), 0u);
+  // A new patch nearby knows what counted when they were few.
+  EXPECT_EQ(Find(cache, PlaceOf({ 4.5, 4.5, 6.5 })).Larger[0].Rays(), LightCache::FewRays);
+}
+
 TEST(LightCacheTest, CountsNoMoreRaysThanFit)
 {
   LightCache cache;

@@ -78,6 +78,10 @@ LightCache::Known LightCache::Find(std::uint64_t hash, const PatchPlace& place) 
   {
     known.Own = this->Lights[known.Block][place.Patch];
   }
+  if (known.Own.Rays() >= FewRays)
+  {
+    return known;
+  }
   std::uint32_t block = known.Block;
   PatchPlace at = place;
   for (LightSum& larger : known.Larger)
@@ -136,16 +140,17 @@ std::uint32_t LightCache::ProvideBlock(const PatchPlace& place)
   return at;
 }
 
-/// Add rays to the sums of a patch and of the larger patches around it.
+/// Add rays to the sum of a patch and, if it has few of them, to those of larger patches around it.
 void LightCache::Add(const Found& found)
 {
   PatchPlace place = found.Place;
   std::uint32_t block = found.Block == NoBlock ? this->ProvideBlock(place) : found.Block;
+  const bool areFew = this->Lights[block][place.Patch].Rays() < FewRays;
   for (std::size_t size = 0;; ++size)
   {
     this->Lights[block][place.Patch].Add(found.Rays, found.Light);
     this->Blocks[block].LastSeen = this->Frames;
-    if (size == LargerSizes)
+    if (!areFew || size == LargerSizes)
     {
       return;
     }

@@ -41,9 +41,9 @@ private:
 
 /// Keeps the light of surface points from frame to frame, whatever the camera does.
 ///
-/// Patches are as large as the pixels of the picture they were made for. Each ray also counts for
-/// the larger patches around its own. These help where a patch is new, for example when the camera
-/// comes near or goes away.
+/// The size of patches follows the pixels of the picture that they were made for. While a patch has
+/// few rays, they also count for the larger patches around it. These help where a patch is new, for
+/// example when the camera comes near or goes away.
 ///
 /// While a frame is made the cache does not change, so the frame does not depend on the order of
 /// its tiles. What a frame finds is added when it is finished.
@@ -56,6 +56,9 @@ public:
   /// Sizes of larger patches that share the light of a patch.
   static constexpr std::size_t LargerSizes = 2;
 
+  /// A patch with this many rays of its own needs no larger patch. Larger patches blur the light.
+  static constexpr std::uint32_t FewRays = 64;
+
   static constexpr std::uint32_t NoBlock = ~std::uint32_t(0);
 
   /// The light that is known of a patch.
@@ -63,7 +66,8 @@ public:
   {
     std::uint32_t Block = NoBlock; ///< position of its block; or NoBlock
     LightSum Own;
-    std::array<LightSum, LargerSizes> Larger; ///< of the patches around it, twice as large each
+    /// Of the patches around it, twice as large each. Without rays if its own are not few.
+    std::array<LightSum, LargerSizes> Larger;
   };
 
   /// Prepare to find a patch, in two steps: reads of memory overlap if each step is taken for many

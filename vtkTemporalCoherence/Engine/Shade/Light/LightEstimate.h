@@ -48,9 +48,6 @@ private:
 /// The light around a patch, estimated from the rays that are known.
 struct Estimate
 {
-  /// Rays of larger patches blur the light. A patch with this many rays of its own ignores them.
-  static constexpr std::uint32_t FewRays = 32;
-
   void AddAll(const LightSum& sum)
   {
     this->Rays += sum.Rays();
@@ -58,9 +55,9 @@ struct Estimate
   }
   void AddMissing(const LightSum& sum)
   {
-    if (this->Rays < FewRays && sum.Rays() > 0)
+    if (this->Rays < LightCache::FewRays && sum.Rays() > 0)
     {
-      const double rays = std::min<double>(FewRays - this->Rays, sum.Rays());
+      const double rays = std::min<double>(LightCache::FewRays - this->Rays, sum.Rays());
       this->Light += sum.Light() * rays / sum.Rays();
       this->Rays += rays;
     }

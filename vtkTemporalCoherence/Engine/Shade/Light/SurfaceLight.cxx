@@ -31,8 +31,9 @@ SurfaceLight::SurfaceLight(const FrameKey& key, const FieldNormals& normals,
   , OfTiles(static_cast<std::size_t>(NumberOfTiles(key.View.Size)))
 {
   const View& view = key.View;
-  // Hardly two pixels share a patch of half a pixel, so the light of a still view has no blur.
-  const double patch = sharesPixels ? 2.0 : 1.0;
+  // Edge of a patch, per half a pixel. Hardly two pixels share a patch of half a pixel, so the
+  // light of a still view has no blur.
+  const double patch = sharesPixels ? 4.0 : 1.0;
   if (view.Parallel)
   {
     this->Width = patch * glm::length(view.OriginX) / view.Size.x;
@@ -105,79 +106,139 @@ private:
   RayBatch::Array<std::size_t> Patch; ///< position in Found
 };
 
-/// Choose how many rays a hit sends in this frame. Of each four pixels that are neighbours, another
-/// one sends its rays in each frame. The first frame has two of them.
-std::uint32_t SurfaceLight::RaysOf(std::int32_t pixel, std::uint32_t known) const
+/// The hits of a list that look for light, and which of them stand for the others.
+struct SurfaceLight::Senders
 {
-  const int x = pixel % this->Key.View.Size.x, y = pixel / this->Key.View.Size.x;
-  const auto place = static_cast<std::uint32_t>((x & 1) ^ (y & 1)) + 2 * (y & 1);
-  const std::uint32_t frame = this->Kept.NumberOfFrames();
-  const bool isTurn =
-    !this->SharesPixels || (frame == 0 ? (place & 1u) == 0 : place == (frame & 3u));
-  const std::uint32_t left = this->RaysInAll - std::min(known, this->RaysInAll);
-  return isTurn ? std::min(this->RaysOfFrame, left) : 0;
+  std::size_t Count = 0;
+  RayBatch::Array<std::uint8_t> Hit; ///< position in the list
+  RayBatch::Array<std::uint8_t> Of;  ///< for each hit that is no miss: position of its sender
+};
+
+/// True if two hits lie so close together that one light serves both.
+/// \param width of a patch
+bool SurfaceLight::CanShare(
+  const HitList& hits, std::size_t one, std::size_t other, double width) const
+{
+  constexpr float alike = 0.9f;
+  const auto& a = hits.Normal[one];
+  const auto& b = hits.Normal[other];
+  const glm::dvec3 step = hits.Rays.PointAt(other) - hits.Rays.PointAt(one);
+  return hits.Surface[one] == hits.Surface[other] && hits.Kind[one] == hits.Kind[other] &&
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > alike &&
+    std::abs(glm::dot(step, glm::dvec3(a[0], a[1], a[2]))) < width;
+}
+
+/// Choose the hits that look for light: all of them or, if pixels share, one of each four that are
+/// neighbours, another one in each frame.
+/// \param isTile the list holds at most one hit of each pixel of a tile
+void SurfaceLight::ChooseSenders(const HitList& hits, bool isTile, Senders& senders) const
+{
+  constexpr std::uint8_t none = 255;
+  std::array<std::uint8_t, RayBatch::Capacity / 4> ofSquare;
+  ofSquare.fill(none);
+  const auto append = [&](std::size_t hit)
+  {
+    senders.Hit[senders.Count] = static_cast<std::uint8_t>(hit);
+    return static_cast<std::uint8_t>(senders.Count++);
+  };
+  const bool shares = this->SharesPixels && isTile;
+  const auto turn = static_cast<int>(this->Kept.NumberOfFrames() & 3u);
+  RayBatch::Array<std::uint8_t> squares;
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    if ((hits.Misses >> i & 1u) != 0)
+    {
+      continue;
+    }
+    if (!shares)
+    {
+      senders.Of[i] = append(i);
+      continue;
+    }
+    const int x = hits.Pixel[i] % this->Key.View.Size.x, y = hits.Pixel[i] / this->Key.View.Size.x;
+    squares[i] =
+      static_cast<std::uint8_t>((x % TileSize) / 2 + TileSize / 2 * ((y % TileSize) / 2));
+    if ((x & 1) + 2 * ((x ^ y) & 1) == turn)
+    {
+      ofSquare[squares[i]] = append(i);
+    }
+  }
+  for (std::size_t i = 0; shares && i < hits.Rays.Count; ++i)
+  {
+    if ((hits.Misses >> i & 1u) != 0)
+    {
+      continue;
+    }
+    std::uint8_t& sender = ofSquare[squares[i]];
+    sender = sender == none ? append(i) : sender;
+    const std::size_t hit = senders.Hit[sender];
+    senders.Of[i] = hit == i || this->CanShare(hits, hit, i, this->WidthAt(hits.Rays.T[hit]))
+      ? sender
+      : append(i);
+  }
 }
 
 std::int64_t SurfaceLight::Find(
-  std::int64_t tile, const HitList& hits, bool areAll, RayBatch::Array<float>& arriving)
+  std::int64_t tile, const HitList& hits, bool isTile, RayBatch::Array<float>& arriving)
 {
+  Senders senders;
+  this->ChooseSenders(hits, isTile, senders);
   std::vector<LightCache::Found>& found = this->OfTiles[static_cast<std::size_t>(tile)];
   const std::size_t first = found.size();
   try
   {
-    found.reserve(first + hits.Rays.Count);
+    found.reserve(first + senders.Count);
   }
   catch (const std::bad_alloc&)
   {
     arriving.fill(1.0f); // a later frame may find the light
-    this->Missing += static_cast<std::int64_t>(hits.Rays.Count);
+    this->Missing += static_cast<std::int64_t>(senders.Count);
     return 0;
   }
-  RayBatch::Array<std::uint8_t> places; // of hits that are no misses
   RayBatch::Array<std::uint64_t> hashes;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  for (std::size_t k = 0; k < senders.Count; ++k)
   {
-    arriving[i] = 1.0f;
-    if ((hits.Misses >> i & 1u) == 0)
-    {
-      found.push_back({ this->PlaceOf(hits, i), LightCache::NoBlock, 0, 0 });
-      hashes[count] = HashOfBlock(found.back().Place);
-      this->Kept.PrepareSlot(hashes[count]);
-      places[count++] = static_cast<std::uint8_t>(i);
-    }
+    found.push_back({ this->PlaceOf(hits, senders.Hit[k]), LightCache::NoBlock, 0, 0 });
+    hashes[k] = HashOfBlock(found.back().Place);
+    this->Kept.PrepareSlot(hashes[k]);
   }
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < senders.Count; ++k)
   {
     this->Kept.PrepareBlock(hashes[k], found[first + k].Place);
   }
   RayBatch::Array<LightCache::Known> known;
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < senders.Count; ++k)
   {
     LightCache::Found& patch = found[first + k];
     known[k] = this->Kept.Find(hashes[k], patch.Place);
     patch.Block = known[k].Block;
-    patch.Rays = this->RaysOf(hits.Pixel[places[k]], known[k].Own.Rays());
+    const std::uint32_t rays = std::min(known[k].Own.Rays(), this->RaysInAll);
+    patch.Rays = std::min(this->RaysOfFrame, this->RaysInAll - rays);
   }
-  const std::int64_t cells = this->Trace(hits, places, count, known, found.data() + first);
-  this->Gather(places, count, known, found.data() + first, areAll, arriving);
+  const std::int64_t cells = this->Trace(hits, senders, known, found.data() + first);
+  RayBatch::Array<float> ofSenders;
+  this->Gather(senders.Count, known, found.data() + first, isTile, ofSenders);
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    arriving[i] = (hits.Misses >> i & 1u) != 0 ? 1.0f : ofSenders[senders.Of[i]];
+  }
   FillLastVector(hits.Rays.Count, arriving);
   return cells;
 }
 
 /// Trace the rays of hits: the first rays of all hits, then their second rays, and so on.
-std::int64_t SurfaceLight::Trace(const HitList& hits, const RayBatch::Array<std::uint8_t>& places,
-  std::size_t count, const RayBatch::Array<LightCache::Known>& known, LightCache::Found* found)
+std::int64_t SurfaceLight::Trace(const HitList& hits, const Senders& senders,
+  const RayBatch::Array<LightCache::Known>& known, LightCache::Found* found) const
 {
   Batch batch(this->Tracer, this->Key.Appearance.Occlusion.Radius, found);
   for (std::uint32_t ray = 0; ray < this->RaysOfFrame; ++ray)
   {
-    for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t k = 0; k < senders.Count; ++k)
     {
       if (ray < found[k].Rays)
       {
-        const auto& normal = hits.Normal[places[k]];
-        batch.Append(hits.Rays.PointAt(places[k]),
+        const auto& normal = hits.Normal[senders.Hit[k]];
+        batch.Append(hits.Rays.PointAt(senders.Hit[k]),
           LightDirection(
             glm::dvec3(normal[0], normal[1], normal[2]), found[k].Place, known[k].Own.Rays() + ray),
           k);
@@ -188,10 +249,9 @@ std::int64_t SurfaceLight::Trace(const HitList& hits, const RayBatch::Array<std:
   return batch.CellsRead;
 }
 
-/// Gather the light of hits from their patches, and from larger ones where these know little.
-void SurfaceLight::Gather(const RayBatch::Array<std::uint8_t>& places, std::size_t count,
-  const RayBatch::Array<LightCache::Known>& known, const LightCache::Found* found, bool areAll,
-  RayBatch::Array<float>& arriving)
+/// Gather the light of patches, and of larger ones where these know little.
+void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::Known>& known,
+  const LightCache::Found* found, bool areTogether, RayBatch::Array<float>& arriving)
 {
   TileSums sums;
   std::int64_t missing = 0;
@@ -199,10 +259,10 @@ void SurfaceLight::Gather(const RayBatch::Array<std::uint8_t>& places, std::size
   for (std::size_t k = 0; k < count; ++k)
   {
     const std::uint32_t rays = known[k].Own.Rays() + found[k].Rays;
-    areFew |= rays + known[k].Larger[1].Rays() < Estimate::FewRays;
+    areFew |= rays + known[k].Larger[1].Rays() < LightCache::FewRays;
     missing += rays < this->RaysInAll;
   }
-  const bool pools = areAll && areFew;
+  const bool pools = areTogether && areFew;
   for (std::size_t k = 0; pools && k < count; ++k)
   {
     if (found[k].Rays > 0)
@@ -224,13 +284,13 @@ void SurfaceLight::Gather(const RayBatch::Array<std::uint8_t>& places, std::size
     {
       estimate.AddMissing(larger);
     }
-    if (pools && estimate.Rays < Estimate::FewRays)
+    if (pools && estimate.Rays < LightCache::FewRays)
     {
       const PatchPlace larger = LargerThan(found[k].Place);
       estimate.AddMissing(sums.At(larger));
       estimate.AddMissing(sums.At(LargerThan(larger)));
     }
-    arriving[places[k]] = static_cast<float>(1.0 - strength * (1.0 - estimate.Share()));
+    arriving[k] = static_cast<float>(1.0 - strength * (1.0 - estimate.Share()));
   }
   this->Missing += missing;
 }
@@ -243,7 +303,7 @@ PatchPlace SurfaceLight::PlaceOf(const HitList& hits, std::size_t hit) const
   const auto& normal = hits.Normal[hit];
   return PlaceOfPatch(point * this->Edges,
     this->NormalFromWorld * glm::vec3(normal[0], normal[1], normal[2]),
-    this->Width + this->WidthPerDepth * hits.Rays.T[hit], hits.Surface[hit], hits.Kind[hit]);
+    this->WidthAt(hits.Rays.T[hit]), hits.Surface[hit], hits.Kind[hit]);
 }
 
 }

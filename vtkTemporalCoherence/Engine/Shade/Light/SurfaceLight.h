@@ -37,11 +37,11 @@ public:
 
   /// Find the share of ambient and diffuse light that reaches hits.
   /// \param hits     with their normals
-  /// \param areAll   the list holds the hits of the whole tile: neighbours may help each other
+  /// \param isTile   the list holds the first hits of a tile: neighbours help each other
   /// \param arriving result, up to the end of the last vector
   /// \return cells read
   std::int64_t Find(
-    std::int64_t tile, const HitList& hits, bool areAll, RayBatch::Array<float>& arriving);
+    std::int64_t tile, const HitList& hits, bool isTile, RayBatch::Array<float>& arriving);
 
   /// True if no hit needs more rays.
   bool IsFinal() const { return this->Missing.load() == 0; }
@@ -51,21 +51,24 @@ public:
 private:
   class Batch;
 
-  std::uint32_t RaysOf(std::int32_t pixel, std::uint32_t known) const;
-  std::int64_t Trace(const HitList& hits, const RayBatch::Array<std::uint8_t>& places,
-    std::size_t count, const RayBatch::Array<LightCache::Known>& known, LightCache::Found* found);
-  void Gather(const RayBatch::Array<std::uint8_t>& places, std::size_t count,
-    const RayBatch::Array<LightCache::Known>& known, const LightCache::Found* found, bool areAll,
-    RayBatch::Array<float>& arriving);
+  struct Senders;
+
+  bool CanShare(const HitList& hits, std::size_t one, std::size_t other, double width) const;
+  void ChooseSenders(const HitList& hits, bool isTile, Senders& senders) const;
+  std::int64_t Trace(const HitList& hits, const Senders& senders,
+    const RayBatch::Array<LightCache::Known>& known, LightCache::Found* found) const;
+  void Gather(std::size_t count, const RayBatch::Array<LightCache::Known>& known,
+    const LightCache::Found* found, bool areTogether, RayBatch::Array<float>& arriving);
+  double WidthAt(double t) const { return this->Width + this->WidthPerDepth * t; }
   PatchPlace PlaceOf(const HitList& hits, std::size_t hit) const;
 
   const FrameKey& Key;
   const LightCache& Kept;
   std::uint32_t RaysOfFrame, RaysInAll;
-  bool SharesPixels; ///< one of four pixels sends rays; patches are as large as pixels
+  bool SharesPixels; ///< one of four pixels sends rays; patches are two pixels wide
   NormalSource Source;
   OcclusionTracer Tracer;
-  double WidthPerDepth, Width; ///< of pixels: at depth 0, and for each unit of depth
+  double WidthPerDepth, Width; ///< of patches: for each unit of t, and at t = 0
   glm::mat3 NormalFromWorld;   ///< to the axes of the data
   glm::dvec3 Edges;            ///< of a cell of index space, in the world
   std::vector<std::vector<LightCache::Found>> OfTiles;

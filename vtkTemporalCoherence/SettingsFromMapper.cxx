@@ -45,6 +45,8 @@ PictureSettings SettingsOf(Mapper* mapper)
   settings.IsOccluded = mapper->GetAmbientOcclusion() != 0;
   settings.Occlusion = { mapper->GetAmbientOcclusionRadius(),
     mapper->GetAmbientOcclusionStrength() };
+  settings.HasShadows = mapper->GetShadows() != 0;
+  settings.LightRadius = mapper->GetLightRadius();
   settings.MeshMemoryLimit = static_cast<std::size_t>(mapper->GetMeshMemoryLimit()) << 20;
   return settings;
 }

@@ -50,9 +50,10 @@ set(engine_files
   Shade/KernelsShading
   Shade/KnownLayers
   Shade/LayerShader
+  Shade/Light/HardShadows
   Shade/Light/LightCache
   Shade/Light/LightDirections
-  Shade/Light/OcclusionTracer
+  Shade/Light/LightTracer
   Shade/Light/PatchPlace
   Shade/Light/SurfaceLight
   Shade/LimitedLayers

@@ -128,6 +128,26 @@ public:
   vtkGetMacro(AmbientOcclusionRays, int);
   //@}
 
+  //@{
+  /**
+   * Set/Get whether lights cast shadows on isosurfaces that the property shades (default: off).
+   * Drawn surfaces of this mapper keep the diffuse and specular light of a light away from one
+   * another; a translucent surface stops the share that is its opacity. Other props cast no
+   * shadows, and receive none. Headlights cast none, as none would be seen.
+   *
+   * LightRadius: the radius of all lights that cast shadows, in world units. 0 (default): shadows
+   * have hard edges, and are exact for each pixel. A light with a radius casts soft shadows; a
+   * light that is not positional looks as large as a ball of this radius at its position, seen from
+   * its focal point. Soft shadows take as many rays as ambient occlusion (AmbientOcclusionRays).
+   * They are kept, and get better, in the same way; a light that moves loses its own shadow only.
+   */
+  vtkSetMacro(Shadows, vtkTypeBool);
+  vtkGetMacro(Shadows, vtkTypeBool);
+  vtkBooleanMacro(Shadows, vtkTypeBool);
+  virtual void SetLightRadius(double radius);
+  vtkGetMacro(LightRadius, double);
+  //@}
+
   /** False if rendering the last frame again would make its light better. */
   bool GetFrameIsFinal();
 
@@ -445,6 +465,8 @@ private:
   double AmbientOcclusionRadius = 0.0;
   double AmbientOcclusionStrength = 1.0;
   int AmbientOcclusionRays = 1;
+  vtkTypeBool Shadows = 0;
+  double LightRadius = 0.0;
   vtkTypeBool ReuseFrames = 1;
   int NumberOfCachedImages = 1;
   int ReuseAccuracy = EXACT;

@@ -67,6 +67,13 @@ void vtkTemporalCoherenceVolumeMapper::SetAmbientOcclusionRadius(double radius)
 }
 
 //------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetLightRadius(double radius)
+{
+  constexpr double most = 1e100; // its square is a finite number
+  this->Internal->SetWithin("LightRadius", radius, 0.0, most, this->LightRadius);
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetAmbientOcclusionStrength(double strength)
 {
   this->Internal->SetWithin(
@@ -113,6 +120,8 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AmbientOcclusionRadius: " << this->AmbientOcclusionRadius << endl;
   os << indent << "AmbientOcclusionStrength: " << this->AmbientOcclusionStrength << endl;
   os << indent << "AmbientOcclusionRays: " << this->AmbientOcclusionRays << endl;
+  os << indent << "Shadows: " << this->Shadows << endl;
+  os << indent << "LightRadius: " << this->LightRadius << endl;
   os << indent << "ReuseFrames: " << this->ReuseFrames << endl;
   os << indent << "Isomap: " << this->Isomap << endl;
   os << indent << "ReuseAccuracy: " << this->ReuseAccuracy << endl;

@@ -6,7 +6,17 @@
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
+
+/// A ball over a bowl: convex, concave, and one above the other. The surface of both is at 100.
+inline double BallAndBowl(double x, double y, double z)
+{
+  const double ball = 0.42 - std::hypot(x - 0.1, y, z - 0.35);
+  const double bowl = 0.35 * (x * x + y * y) - 0.55 - z;
+  return 100.0 + 100.0 * std::max(ball, bowl);
+}
 
 /// A scene whose colours are what ambient occlusion leaves of white: 255 where all light arrives.
 struct LitScene : Scene

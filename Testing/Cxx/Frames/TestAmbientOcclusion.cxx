@@ -37,14 +37,6 @@ using Point = std::array<double, 3>;
 
 constexpr int Width = 48, Height = 36;
 
-/// A ball over a bowl: convex, concave, and one above the other.
-double BallAndBowl(double x, double y, double z)
-{
-  const double ball = 0.42 - std::hypot(x - 0.1, y, z - 0.35);
-  const double bowl = 0.35 * (x * x + y * y) - 0.55 - z;
-  return 100.0 + 100.0 * std::max(ball, bowl);
-}
-
 /// The unit normal of a pixel's hit.
 Point NormalAt(vtkImageData* frame, int x, int y)
 {

@@ -398,7 +398,7 @@ std::array<std::uint8_t, 4> ColorReference(
     l[a] = sums.IsPositional ? sums.ToLight[a][i] : sums.Toward[a];
     r[a] = static_cast<float>(rays.Own[a][i]);
   }
-  const float share = sums.IsPositional ? sums.Share[i] : 1.0f;
+  const float share = sums.HasShares ? sums.Share[i] : 1.0f;
   const float cosine = n[0] * l[0] + n[1] * l[1] + n[2] * l[2];
   const float mirrored = (l[0] - 2.0f * cosine * n[0]) * r[0] +
     (l[1] - 2.0f * cosine * n[1]) * r[1] + (l[2] - 2.0f * cosine * n[2]) * r[2];
@@ -457,6 +457,7 @@ TEST_F(KernelsShading, ColorsOfALight)
       {
         sums.Power = power;
         sums.IsPositional = isPositional;
+        sums.HasShares = isPositional;
         sums.Specular = { specular, 0.5f * specular, specular };
         this->ForEachTarget(
           [&](const char* target)

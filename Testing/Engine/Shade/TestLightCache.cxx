@@ -174,4 +174,46 @@ TEST(LightCacheTest, FollowsSurfacesAndRadius)
   EXPECT_FALSE(isKept());
 }
 
+TEST(LightCacheTest, AMovedLightDropsItsOwnShadow)
+{
+  FrameKey key;
+  key.EditIsosurfaces().Isovalues = { 1.0 };
+  key.Appearance.Occlusion.Radius = 2.0;
+  key.Appearance.Lights.resize(3);
+  key.Appearance.Lights[0].CastsShadows = key.Appearance.Lights[2].CastsShadows = true;
+  key.Appearance.Lights[0].Size = key.Appearance.Lights[2].Size = 0.1;
+  LightCache cache;
+  std::vector<PatchPlace> places(4, PlaceOf({ 0.5, 0.5, 0.5 }));
+  for (std::size_t source = 0; source < places.size(); ++source)
+  {
+    places[source].Source = static_cast<std::uint16_t>(source);
+  }
+  const auto kept = [&]
+  {
+    cache.Follow(key);
+    std::vector<bool> found;
+    std::vector<Found> again;
+    for (const PatchPlace& place : places)
+    {
+      found.push_back(Find(cache, place).Own.Rays() > 0);
+      again.push_back(Of(place, 1, 0));
+    }
+    cache.Add({ again }, Much);
+    return found;
+  };
+  kept();
+  EXPECT_EQ(kept(), std::vector<bool>(4, true));
+  key.Appearance.Lights[2].Direction = { 1.0, 0.0, 0.0 };
+  EXPECT_EQ(kept(), (std::vector<bool>{ true, true, true, false }));
+  key.Appearance.Lights[1].Direction = { 1.0, 0.0, 0.0 }; // casts no shadow
+  key.Appearance.Lights[0].Diffuse = { 0.5, 0.5, 0.5 };
+  EXPECT_EQ(kept(), std::vector<bool>(4, true));
+  key.Appearance.Occlusion.Radius = 3.0;
+  EXPECT_EQ(kept(), (std::vector<bool>{ false, true, true, true }));
+  key.Appearance.Lights.resize(2);
+  EXPECT_EQ(kept(), (std::vector<bool>{ true, true, true, false }));
+  key.EditIsosurfaces().Isovalues = { 1.5 };
+  EXPECT_EQ(kept(), std::vector<bool>(4, false));
+}
+
 }

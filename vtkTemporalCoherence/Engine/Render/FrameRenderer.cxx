@@ -65,13 +65,12 @@ bool FrameRenderer::Render(
 std::unique_ptr<SurfaceLight> FrameRenderer::BeginLight(const FrameTask& task, Route route)
 {
   const FrameKey& key = task.Key;
-  if (!key.Appearance.Occlusion.IsOn())
+  if (!key.Appearance.HasMutualLight())
   {
     this->Light->Clear();
     return nullptr;
   }
-  if (!key.Appearance.Shade || key.Isosurfaces().Isovalues.empty() || !key.Samples.HasCells() ||
-    route == Route::Redisplay)
+  if (key.Isosurfaces().Isovalues.empty() || !key.Samples.HasCells() || route == Route::Redisplay)
   {
     return nullptr;
   }

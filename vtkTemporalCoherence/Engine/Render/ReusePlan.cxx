@@ -19,7 +19,7 @@ constexpr double MostToTrace = 0.5;
 bool CanCopy(const FrameChange& change, const FrameKey& next, const HeldForReuse& held)
 {
   return change.Samples && !change.View && !change.Surfaces && !change.Opacity &&
-    !change.Appearance && !next.Appearance.ColorByAnswer && !next.Appearance.Occlusion.IsOn() &&
+    !change.Appearance && !next.Appearance.ColorByAnswer && !next.Appearance.HasMutualLight() &&
     held.IsExact && held.ShareToTrace <= MostToTrace;
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace TemporalCoherence
@@ -21,6 +22,10 @@ struct Light
   double ConeAngle = 180.0;                ///< degrees from axis to rim; 90 or more: no spot
   double Exponent = 1.0;                   ///< fall-off inside a spot's cone
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 }; ///< constant, linear, quadratic in distance
+  bool CastsShadows = false;
+  /// The radius of a positional light that casts shadows. Of another light, the tangent of its
+  /// angular radius. 0: shadows are hard.
+  double Size = 0.0;
 };
 
 /// Ambient occlusion: surfaces nearby keep light away from a point. Ambient and diffuse light are
@@ -58,13 +63,23 @@ struct Appearance
   double ColorScale = 1.0, ColorShift = 0.0;
   AmbientOcclusion Occlusion;
   bool ColorByAnswer = false; ///< yellow: pixels that the image cache did not serve
+
+  /// True if surfaces keep light away from one another: each may change the colours of all.
+  bool HasMutualLight() const
+  {
+    return this->Shade &&
+      (this->Occlusion.IsOn() ||
+        std::any_of(this->Lights.begin(), this->Lights.end(),
+          [](const Light& light) { return light.CastsShadows; }));
+  }
 };
 
 inline bool operator==(const Light& a, const Light& b)
 {
   return a.Positional == b.Positional && a.Position == b.Position && a.Direction == b.Direction &&
     a.Diffuse == b.Diffuse && a.Specular == b.Specular && a.ConeAngle == b.ConeAngle &&
-    a.Exponent == b.Exponent && a.Attenuation == b.Attenuation;
+    a.Exponent == b.Exponent && a.Attenuation == b.Attenuation &&
+    a.CastsShadows == b.CastsShadows && a.Size == b.Size;
 }
 
 inline bool operator==(const Appearance& a, const Appearance& b)

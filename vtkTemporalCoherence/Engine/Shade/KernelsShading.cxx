@@ -248,7 +248,7 @@ void AddLightTo(const HitRays& rays, PhongSums& sums)
       ray[a] = isShiny ? LoadAsFloats(&(*rays.Direction)[a][i]) : hn::Zero(d);
     }
     hn::LoadInterleaved3(d, sums.Normal[i].data(), n[0], n[1], n[2]);
-    const V share = sums.IsPositional ? hn::LoadU(d, &sums.Share[i]) : hn::Set(d, 1.0f);
+    const V share = sums.HasShares ? hn::LoadU(d, &sums.Share[i]) : hn::Set(d, 1.0f);
     const Reflection reflection = Reflect(n, light, ray, isShiny, raise);
     for (std::size_t a = 0; a < 3; ++a)
     {

@@ -45,9 +45,10 @@ struct PhongSums
 
   // One light:
   bool IsPositional = false;
+  bool HasShares = false;
   std::array<float, 3> Toward;         ///< unit vector to a light that is not positional
   std::array<Array<float>, 3> ToLight; ///< unit vectors to a positional light
-  Array<float> Share;                  ///< share of its light that arrives
+  Array<float> Share;                  ///< share of its light that arrives, if HasShares
   std::array<float, 3> Diffuse, Specular;
   double Power = 1.0;
 };

@@ -48,7 +48,7 @@ void LayerShader::Shade(std::int64_t tile, HitList& hits, ShadedLayer* shaded) c
   const Surfaces& surfaces = this->Key.Isosurfaces();
   std::array<RayBatch::Array<double>, 3> gradients;
   ComputeNormals(this->Source, hits, surfaces.ByGradient.Nodes.empty() ? nullptr : &gradients);
-  RayBatch::Array<float> arriving;
+  ArrivingLight arriving;
   if (this->Light)
   {
     this->Light->Find(tile, hits, false, arriving);

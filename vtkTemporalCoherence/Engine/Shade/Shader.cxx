@@ -87,10 +87,12 @@ double LargestShare(const ShadingKernels::PhongSums& sums)
 }
 
 /// Add the light that hits reflect.
+/// \param arriving the share that other surfaces let through; null: all of it
 void AddLight(const Appearance& appearance, const Light& light, const HitList& hits,
-  ShadingKernels::PhongSums& sums)
+  const Array<float>* arriving, ShadingKernels::PhongSums& sums)
 {
   sums.IsPositional = light.Positional;
+  sums.HasShares = light.Positional || arriving;
   for (std::size_t c = 0; c < 3; ++c)
   {
     const auto component = static_cast<int>(c);
@@ -117,6 +119,10 @@ void AddLight(const Appearance& appearance, const Light& light, const HitList& h
     {
       FillLastVector(sums.Count, sums.ToLight[a]);
     }
+  }
+  for (std::size_t i = 0; arriving && i < WholeVectors(sums.Count); ++i)
+  {
+    sums.Share[i] = (light.Positional ? sums.Share[i] : 1.0f) * (*arriving)[i];
   }
   sums.Power = appearance.SpecularPower;
   ShadingKernels::AddLight(hits.Rays, sums);
@@ -292,16 +298,15 @@ void LoadNormals(const Frame& frame, HitList& hits)
   }
 }
 
-void SumLight(const Appearance& appearance, const HitList& hits, const Array<float>* arriving,
+void SumLight(const Appearance& appearance, const HitList& hits, const ArrivingLight* arriving,
   ShadingKernels::PhongSums& sums)
 {
-  BeginSums(appearance, hits, arriving, sums);
-  if (appearance.Shade)
+  BeginSums(appearance, hits, arriving ? &arriving->FromAllSides : nullptr, sums);
+  for (std::size_t i = 0; appearance.Shade && i < appearance.Lights.size(); ++i)
   {
-    for (const Light& light : appearance.Lights)
-    {
-      AddLight(appearance, light, hits, sums);
-    }
+    const bool isShadowed = arriving && !arriving->OfLights.empty();
+    AddLight(
+      appearance, appearance.Lights[i], hits, isShadowed ? &arriving->OfLights[i] : nullptr, sums);
   }
   if (appearance.ColorScale != 1.0 || appearance.ColorShift != 0.0)
   {
@@ -310,7 +315,7 @@ void SumLight(const Appearance& appearance, const HitList& hits, const Array<flo
 }
 
 void ShadeHits(
-  const Appearance& appearance, const HitList& hits, const Array<float>* arriving, Frame& frame)
+  const Appearance& appearance, const HitList& hits, const ArrivingLight* arriving, Frame& frame)
 {
   if (hits.Rays.Count == 0)
   {

@@ -15,6 +15,7 @@
 #include "Shade/CapNormal.h"
 #include "Shade/FieldNormals.h"
 #include "Shade/KernelsShading.h"
+#include "Shade/Light/ArrivingLight.h"
 
 #include <algorithm>
 #include <array>
@@ -115,14 +116,14 @@ inline float OpacityOf(const Surfaces& surfaces, const HitList& hits, std::size_
 /// (vtkVolumeShaderComposer of VTK 9.2 and later). Normals face the viewer, as for polygons; if
 /// lighting is one-sided, they face outside.
 ///
-/// \param arriving the share of ambient and diffuse light that reaches each hit; null: all of it
-void SumLight(const Appearance& appearance, const HitList& hits,
-  const RayBatch::Array<float>* arriving, ShadingKernels::PhongSums& sums);
+/// \param arriving null: all light arrives
+void SumLight(const Appearance& appearance, const HitList& hits, const ArrivingLight* arriving,
+  ShadingKernels::PhongSums& sums);
 
 /// Find the colours of hits as SumLight does, and write them as opaque colours of a frame. Pixels
 /// are yellow where the appearance asks for it.
-void ShadeHits(const Appearance& appearance, const HitList& hits,
-  const RayBatch::Array<float>* arriving, Frame& frame);
+void ShadeHits(
+  const Appearance& appearance, const HitList& hits, const ArrivingLight* arriving, Frame& frame);
 
 /// Paint the hits that a cached image did not serve yellow, if the appearance asks for it.
 void PaintAnswers(const Appearance& appearance, const HitList& hits, Frame& frame);

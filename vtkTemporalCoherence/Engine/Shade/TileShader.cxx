@@ -64,7 +64,7 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found
     GatherHits(this->Key.View, part, this->ColorsOf == HitSet::All, frame, hits);
     LoadNormals(frame, hits);
   }
-  RayBatch::Array<float> arriving;
+  ArrivingLight arriving;
   if (this->Light)
   {
     counts.CellsRead += this->Light->Find(tile, hits, true, arriving);

@@ -63,6 +63,9 @@ Light MakeLight(vtkLight* source)
   light.ConeAngle = source->GetConeAngle();
   light.Exponent = source->GetExponent();
   light.Attenuation = ToVec(source->GetAttenuationValues());
+  light.CastsShadows = !source->LightTypeIsHeadlight();
+  const double distance = glm::length(ToVec(focus) - ToVec(position));
+  light.Size = light.Positional ? 1.0 : (distance > 0.0 ? 1.0 / distance : 0.0);
   return light;
 }
 

@@ -19,7 +19,8 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Make the lights that are on, like the renderer before it draws into a window.
+/// Make the lights that are on, like the renderer before it draws into a window. All but headlights
+/// cast shadows. Their size is that of a light with a radius of 1, seen from its focal point.
 /// \param error receives the mistake and its remedy
 /// \return false on error, for example if an intensity is NaN
 bool FindLights(vtkRenderer* renderer, std::vector<Light>& lights, std::string& error);

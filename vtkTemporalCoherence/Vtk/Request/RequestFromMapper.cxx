@@ -70,10 +70,15 @@ double LongestEdge(const FrameKey& key)
   return longest;
 }
 
-/// Set the ambient occlusion of a key whose field is made.
-void SetOcclusion(const PictureSettings& settings, FrameKey& key)
+/// Set how surfaces keep light away from one another, in a key whose field is made.
+void SetMutualLight(const PictureSettings& settings, FrameKey& key)
 {
   constexpr double defaultShare = 1.0 / 8.0;
+  for (Light& light : key.Appearance.Lights)
+  {
+    light.CastsShadows &= settings.HasShadows && !key.IsBlended();
+    light.Size *= light.CastsShadows ? settings.LightRadius : 0.0;
+  }
   if (settings.IsOccluded && key.Appearance.Shade && !key.IsBlended())
   {
     AmbientOcclusion& occlusion = key.Appearance.Occlusion;
@@ -127,7 +132,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   const bool isMade =
     this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
   this->IsMakingField = false;
-  SetOcclusion(settings, key);
+  SetMutualLight(settings, key);
   if (isMade && isBlended)
   {
     // Empty without samples.

@@ -39,6 +39,8 @@ struct PictureSettings
   bool AveragedGradients = false;  ///< the setting SmoothMeshNormals
   AmbientOcclusion Occlusion;      ///< a radius of 0 is an eighth of the longest edge
   bool IsOccluded = false;         ///< Occlusion has an effect
+  bool HasShadows = false;         ///< lights cast shadows
+  double LightRadius = 0.0;        ///< of lights that cast shadows, in the world
   std::size_t MeshMemoryLimit = 0; ///< bytes for the set-up of a mesh; 0: no limit
 };
 

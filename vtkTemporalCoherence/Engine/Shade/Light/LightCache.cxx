@@ -16,19 +16,67 @@ namespace
 /// Bytes of a block: its place, its patches, and two slots.
 constexpr std::size_t BytesOfBlock = 36 + 256 + 2 * sizeof(std::uint32_t);
 
+/// True if the cache keeps the shadows of a light: hard ones are found anew in each frame.
+bool HasKeptShadows(const Light& light)
+{
+  return light.CastsShadows && light.Size > 0.0;
+}
+
+/// True if two lights cast the same kept shadows.
+bool CastAlike(const Light& a, const Light& b)
+{
+  const bool areKept = HasKeptShadows(a);
+  return areKept == HasKeptShadows(b) &&
+    (!areKept ||
+      (a.Size == b.Size && a.Positional == b.Positional &&
+        (a.Positional ? a.Position == b.Position : a.Direction == b.Direction)));
+}
+
+}
+
+/// Drop all other blocks.
+template <typename IsKept>
+void LightCache::KeepOnly(const IsKept& isKept)
+{
+  std::size_t count = 0;
+  for (std::size_t block = 0; block < this->Blocks.size(); ++block)
+  {
+    if (isKept(this->Blocks[block]))
+    {
+      this->Blocks[count] = this->Blocks[block];
+      this->Blocks[count].Larger = NoBlock;
+      this->Sums[count] = this->Sums[block];
+      ++count;
+    }
+  }
+  this->Blocks.resize(count);
+  this->Sums.resize(count);
+  this->Resize(this->Slots.size());
+  this->Frames = count == 0 ? 0 : this->Frames;
 }
 
 void LightCache::Follow(const FrameKey& key)
 {
-  const Surfaces& surfaces = key.Isosurfaces();
-  const double radius = key.Appearance.Occlusion.Radius;
   if (!(this->Of.Samples == key.Samples) || !(this->Of.Transform == key.Transform) ||
-    !(this->Of.Region == key.Region) || !(this->Of.Isosurfaces == surfaces) ||
-    this->Of.Radius != radius)
+    !(this->Of.Region == key.Region) || !(this->Of.Isosurfaces == key.Isosurfaces()))
   {
     this->Clear();
-    this->Of = { key.Samples, key.Transform, key.Region, surfaces, radius };
+    this->Of = { key.Samples, key.Transform, key.Region, key.Isosurfaces() };
   }
+  const std::vector<Light>& lights = key.Appearance.Lights;
+  const double radius = key.Appearance.Occlusion.Radius;
+  std::vector<bool> isKept(std::max(this->Lights.size(), lights.size()) + 1);
+  isKept[0] = this->Radius == radius;
+  for (std::size_t i = 0; i < std::min(this->Lights.size(), lights.size()); ++i)
+  {
+    isKept[i + 1] = CastAlike(this->Lights[i], lights[i]);
+  }
+  if (std::find(isKept.begin(), isKept.end(), false) != isKept.end())
+  {
+    this->KeepOnly([&](const Block& block) { return isKept[block.Place.Source]; });
+  }
+  this->Radius = radius;
+  this->Lights = lights;
 }
 
 void LightCache::PrepareSlot(std::uint64_t hash) const
@@ -49,7 +97,7 @@ void LightCache::PrepareBlock(std::uint64_t hash, const PatchPlace& place) const
   if (block != NoBlock)
   {
     hwy::Prefetch(&this->Blocks[block]);
-    hwy::Prefetch(&this->Lights[block][place.Patch]);
+    hwy::Prefetch(&this->Sums[block][place.Patch]);
   }
 }
 
@@ -76,7 +124,7 @@ LightCache::Known LightCache::Find(std::uint64_t hash, const PatchPlace& place) 
   known.Block = this->FindBlock(hash, place);
   if (known.Block != NoBlock)
   {
-    known.Own = this->Lights[known.Block][place.Patch];
+    known.Own = this->Sums[known.Block][place.Patch];
   }
   if (known.Own.Rays() >= FewRays)
   {
@@ -92,7 +140,7 @@ LightCache::Known LightCache::Find(std::uint64_t hash, const PatchPlace& place) 
       : this->Blocks[block].Larger;
     if (block != NoBlock)
     {
-      larger = this->Lights[block][at.Patch];
+      larger = this->Sums[block][at.Patch];
     }
   }
   return known;
@@ -134,21 +182,21 @@ std::uint32_t LightCache::ProvideBlock(const PatchPlace& place)
   Block block{ place, NoBlock, this->Frames };
   block.Place.Patch = 0;
   this->Blocks.push_back(block);
-  this->Lights.emplace_back();
+  this->Sums.emplace_back();
   const auto at = static_cast<std::uint32_t>(this->Blocks.size() - 1);
   this->Insert(at);
   return at;
 }
 
-/// Add rays to the sum of a patch and, if it has few of them, to those of larger patches around it.
+/// Add rays to a patch. The first rays of a patch also count for larger patches.
 void LightCache::Add(const Found& found)
 {
   PatchPlace place = found.Place;
   std::uint32_t block = found.Block == NoBlock ? this->ProvideBlock(place) : found.Block;
-  const bool areFew = this->Lights[block][place.Patch].Rays() < FewRays;
+  const bool areFew = this->Sums[block][place.Patch].Rays() < FewRays;
   for (std::size_t size = 0;; ++size)
   {
-    this->Lights[block][place.Patch].Add(found.Rays, found.Light);
+    this->Sums[block][place.Patch].Add(found.Rays, found.Light);
     this->Blocks[block].LastSeen = this->Frames;
     if (!areFew || size == LargerSizes)
     {
@@ -179,7 +227,7 @@ void LightCache::ReserveFor(const std::vector<std::vector<Found>>& tiles)
   if (blocks > this->Blocks.capacity())
   {
     this->Blocks.reserve(blocks + blocks / 2);
-    this->Lights.reserve(blocks + blocks / 2);
+    this->Sums.reserve(blocks + blocks / 2);
   }
   std::size_t slots = std::max<std::size_t>(this->Slots.size(), 1024);
   while (slots < 2 * blocks)
@@ -244,20 +292,7 @@ void LightCache::Drop(std::size_t mostBytes)
   }
   std::nth_element(ages.begin(), ages.begin() + static_cast<std::ptrdiff_t>(kept), ages.end());
   const std::uint32_t oldest = std::max(ages[kept], 1u);
-  std::size_t count = 0;
-  for (std::size_t block = 0; block < this->Blocks.size(); ++block)
-  {
-    if (ageOf(this->Blocks[block]) < oldest)
-    {
-      this->Blocks[count] = this->Blocks[block];
-      this->Blocks[count].Larger = NoBlock;
-      this->Lights[count] = this->Lights[block];
-      ++count;
-    }
-  }
-  this->Blocks.resize(count);
-  this->Lights.resize(count);
-  this->Resize(this->Slots.size());
+  this->KeepOnly([&](const Block& block) { return ageOf(block) < oldest; });
 }
 
 void LightCache::Clear()

@@ -41,16 +41,17 @@ private:
 
 /// Keeps the light of surface points from frame to frame, whatever the camera does.
 ///
-/// The size of patches follows the pixels of the picture that they were made for. While a patch has
-/// few rays, they also count for the larger patches around it. These help where a patch is new, for
-/// example when the camera comes near or goes away.
+/// Patches have about the size of pixels. The first rays of a patch also count for the larger
+/// patches around it. These help where a patch is new, for example when the camera comes near or
+/// goes away.
 ///
 /// While a frame is made the cache does not change, so the frame does not depend on the order of
 /// its tiles. What a frame finds is added when it is finished.
 class LightCache
 {
 public:
-  /// Forget the light of other surfaces, or of another radius.
+  /// Forget the light of other surfaces, of another radius, and of lights that moved.
+  /// \throws std::bad_alloc
   void Follow(const FrameKey& key);
 
   /// Sizes of larger patches that share the light of a patch.
@@ -66,7 +67,8 @@ public:
   {
     std::uint32_t Block = NoBlock; ///< position of its block; or NoBlock
     LightSum Own;
-    /// Of the patches around it, twice as large each. Without rays if its own are not few.
+    /// Larger patches around the patch, each twice as large as the one before. Empty if the patch
+    /// has FewRays.
     std::array<LightSum, LargerSizes> Larger;
   };
 
@@ -114,10 +116,12 @@ private:
   void Resize(std::size_t slots);
   void ReserveFor(const std::vector<std::vector<Found>>& tiles);
   void Drop(std::size_t mostBytes);
+  template <typename IsKept>
+  void KeepOnly(const IsKept& isKept);
 
   std::vector<std::uint32_t> Slots; ///< a hash table of blocks; its size is a power of two
   std::vector<Block> Blocks;
-  std::vector<Patches> Lights; ///< one element for each block
+  std::vector<Patches> Sums; ///< one element for each block
   std::uint32_t Frames = 0;
 
   /// What the light depends on.
@@ -127,9 +131,10 @@ private:
     IndexTransform Transform;
     TemporalCoherence::Region Region;
     Surfaces Isosurfaces;
-    double Radius = 0.0;
   };
   Scene Of;
+  double Radius = 0.0;       ///< of ambient occlusion
+  std::vector<Light> Lights; ///< of the appearance
 };
 
 }

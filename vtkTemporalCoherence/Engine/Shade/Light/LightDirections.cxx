@@ -57,26 +57,48 @@ std::uint64_t SeedOf(const PatchPlace& place)
   };
   add(place.Block.y);
   add(place.Block.z);
-  add(place.Patch + 64 * place.Side);
+  add(place.Patch + 64 * place.Side + 65536 * place.Source);
   add(place.Level + 4096 * place.Surface);
   x *= 0xbf58476d1ce4e5b9ull;
   return x ^ x >> 32;
 }
 
+/// A point in the disk of radius 1.
+struct DiskPoint
+{
+  DiskPoint(const PatchPlace& place, std::uint32_t number)
+  {
+    static const Circle circle;
+    const EvenPoint point(number, SeedOf(place));
+    this->Square = (point.X + 0.5) * 0x1p-32;
+    this->At = std::sqrt(this->Square) * circle.At(point.Y);
+  }
+
+  /// The point in the plane that is perpendicular to an axis (Duff et al. 2017).
+  glm::dvec3 Across(const glm::dvec3& axis) const
+  {
+    const double sign = std::copysign(1.0, axis.z);
+    const double a = -1.0 / (sign + axis.z), b = axis.x * axis.y * a;
+    const glm::dvec3 x(1.0 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x);
+    const glm::dvec3 y(b, sign + axis.y * axis.y * a, -axis.y);
+    return this->At.x * x + this->At.y * y;
+  }
+
+  glm::dvec2 At;
+  double Square; ///< of its distance from the middle
+};
+
 }
 
-glm::dvec3 LightDirection(const glm::dvec3& normal, const PatchPlace& place, std::uint32_t number)
+glm::dvec3 DirectionAround(const glm::dvec3& normal, const PatchPlace& place, std::uint32_t number)
 {
-  static const Circle circle;
-  const EvenPoint point(number, SeedOf(place));
-  // A basis around the normal (Duff et al. 2017).
-  const double sign = std::copysign(1.0, normal.z);
-  const double a = -1.0 / (sign + normal.z), b = normal.x * normal.y * a;
-  const glm::dvec3 x(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
-  const glm::dvec3 y(b, sign + normal.y * normal.y * a, -normal.y);
-  const double square = (point.X + 0.5) * 0x1p-32;
-  const glm::dvec2 onDisk = std::sqrt(square) * circle.At(point.Y);
-  return onDisk.x * x + onDisk.y * y + std::sqrt(1.0 - square) * normal;
+  const DiskPoint point(place, number);
+  return point.Across(normal) + std::sqrt(1.0 - point.Square) * normal;
+}
+
+glm::dvec3 PointOnDisk(const glm::dvec3& axis, const PatchPlace& place, std::uint32_t number)
+{
+  return DiskPoint(place, number).Across(axis);
 }
 
 }

@@ -12,10 +12,16 @@
 namespace TemporalCoherence
 {
 
-/// The direction of a ray that finds light. Directions fill the hemisphere around the normal
-/// evenly, weighted by their cosines, whatever the number of a patch's rays. \param normal of unit
-/// length \param number of rays that the patch sent before
-glm::dvec3 LightDirection(const glm::dvec3& normal, const PatchPlace& place, std::uint32_t number);
+// Rays of a patch. Each patch has a sequence of its own, which fills its target evenly however many
+// of its members were used. `number`: of the rays that the patch sent before.
+
+/// A direction in the hemisphere around a normal, weighted by its cosine.
+/// \param normal of unit length
+glm::dvec3 DirectionAround(const glm::dvec3& normal, const PatchPlace& place, std::uint32_t number);
+
+/// A point of the disk of radius 1 that is perpendicular to an axis.
+/// \param axis of unit length
+glm::dvec3 PointOnDisk(const glm::dvec3& axis, const PatchPlace& place, std::uint32_t number);
 
 }
 

@@ -22,20 +22,22 @@ struct PatchPlace
   std::int16_t Surface; ///< position in the list of isovalues
   std::uint8_t Side;    ///< the axis that the normal is closest to, its sign, and the kind of hit
   std::uint8_t Patch;   ///< x + 4 y + 16 z
+  std::uint16_t Source = 0; ///< 0: light from all sides; n: light number n - 1 of the appearance
 };
 
 /// True if two places lie in the same block.
 inline bool AreTogether(const PatchPlace& a, const PatchPlace& b)
 {
-  return a.Block == b.Block && a.Level == b.Level && a.Surface == b.Surface && a.Side == b.Side;
+  return a.Block == b.Block && a.Level == b.Level && a.Surface == b.Surface && a.Side == b.Side &&
+    a.Source == b.Source;
 }
 
 /// A number for the block of a place: equal for places in one block, else almost always different.
 inline std::uint64_t HashOfBlock(const PatchPlace& place)
 {
   const auto word = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
-  const std::uint64_t rest =
-    word(place.Level & 0xff) | word(place.Side) << 8 | word(place.Surface) << 16;
+  const std::uint64_t rest = word(place.Level & 0xff) | word(place.Side) << 8 |
+    word(place.Surface) << 16 | word(place.Source) << 32;
   // Multiples of odd constants, and the finaliser of MurmurHash3.
   std::uint64_t x = word(place.Block.x) * 0x9e3779b97f4a7c15ull +
     word(place.Block.y) * 0xc2b2ae3d27d4eb4full + word(place.Block.z) * 0x165667b19e3779f9ull +

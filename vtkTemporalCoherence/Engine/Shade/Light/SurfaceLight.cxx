@@ -3,12 +3,14 @@
 #include "Shade/Light/SurfaceLight.h"
 
 #include "Scene/Tiles.h"
+#include "Shade/Light/HardShadows.h"
 #include "Shade/Light/LightDirections.h"
 #include "Shade/Light/LightEstimate.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -23,8 +25,8 @@ SurfaceLight::SurfaceLight(const FrameKey& key, const FieldNormals& normals,
   , RaysOfFrame(raysOfFrame)
   , RaysInAll(raysInAll)
   , SharesPixels(sharesPixels)
-  , Source(NormalSourceOf(key, normals, finiteRange))
-  , Tracer(key, this->Source, std::move(tracer))
+  , Normals(NormalSourceOf(key, normals, finiteRange))
+  , Tracer(key, this->Normals, std::move(tracer))
   , WidthPerDepth(0.0)
   , Width(0.0)
   , NormalFromWorld(glm::transpose(glm::dmat3(key.Transform.WorldFromIndex)))
@@ -51,62 +53,21 @@ SurfaceLight::SurfaceLight(const FrameKey& key, const FieldNormals& normals,
       this->NormalFromWorld[world][a] /= static_cast<float>(this->Edges[a]);
     }
   }
+  if (key.Appearance.Occlusion.IsOn())
+  {
+    this->Sources.push_back({ 0, nullptr });
+  }
+  for (std::size_t i = 0; i < key.Appearance.Lights.size(); ++i)
+  {
+    const Light& light = key.Appearance.Lights[i];
+    if (light.CastsShadows && light.Size > 0.0)
+    {
+      this->Sources.push_back({ static_cast<std::uint16_t>(i + 1), &light });
+    }
+  }
 }
 
-/// Traces the rays of a tile in batches.
-class SurfaceLight::Batch
-{
-public:
-  Batch(const OcclusionTracer& tracer, double length, LightCache::Found* found)
-    : Tracer(tracer)
-    , Length(length)
-    , Found(found)
-  {
-  }
-
-  /// Append a ray of a patch, and trace the batch if it is full.
-  void Append(const glm::dvec3& origin, const glm::dvec3& direction, std::size_t patch)
-  {
-    const std::size_t at = this->Rays.Count++;
-    this->Patch[at] = patch;
-    for (int a = 0; a < 3; ++a)
-    {
-      this->Rays.Origin[static_cast<std::size_t>(a)][at] = origin[a];
-      this->Rays.Direction[static_cast<std::size_t>(a)][at] = direction[a];
-    }
-    if (this->Rays.Count == RayBatch::Capacity)
-    {
-      this->Trace();
-    }
-  }
-
-  void Trace()
-  {
-    if (this->Rays.Count == 0)
-    {
-      return;
-    }
-    RayBatch::Array<float> passed;
-    this->CellsRead += this->Tracer.Trace(this->Rays, this->Length, passed);
-    for (std::size_t i = 0; i < this->Rays.Count; ++i)
-    {
-      this->Found[this->Patch[i]].Light +=
-        static_cast<std::uint32_t>(passed[i] * static_cast<float>(LightSum::Whole) + 0.5f);
-    }
-    this->Rays.Count = 0;
-  }
-
-  std::int64_t CellsRead = 0;
-
-private:
-  const OcclusionTracer& Tracer;
-  double Length;
-  LightCache::Found* Found;
-  LightRays Rays;
-  RayBatch::Array<std::size_t> Patch; ///< position in Found
-};
-
-/// The hits of a list that look for light, and which of them stand for the others.
+/// The hits that send rays and look into the cache. A sender serves the hits around it, too.
 struct SurfaceLight::Senders
 {
   std::size_t Count = 0;
@@ -128,9 +89,9 @@ bool SurfaceLight::CanShare(
     std::abs(glm::dot(step, glm::dvec3(a[0], a[1], a[2]))) < width;
 }
 
-/// Choose the hits that look for light: all of them or, if pixels share, one of each four that are
-/// neighbours, another one in each frame.
-/// \param isTile the list holds at most one hit of each pixel of a tile
+/// Choose the senders. While pixels share, each square of four neighbours has one sender, at
+/// another place in each frame. Else each hit is a sender. \param isTile the list holds at most one
+/// hit of each pixel of a tile
 void SurfaceLight::ChooseSenders(const HitList& hits, bool isTile, Senders& senders) const
 {
   constexpr std::uint8_t none = 255;
@@ -178,27 +139,85 @@ void SurfaceLight::ChooseSenders(const HitList& hits, bool isTile, Senders& send
   }
 }
 
-std::int64_t SurfaceLight::Find(
-  std::int64_t tile, const HitList& hits, bool isTile, RayBatch::Array<float>& arriving)
+/// Make room for what is found in a tile.
+/// \return false if there is no memory
+bool SurfaceLight::PrepareRoom(std::int64_t tile, std::size_t senders, ArrivingLight& arriving)
 {
-  Senders senders;
-  this->ChooseSenders(hits, isTile, senders);
-  std::vector<LightCache::Found>& found = this->OfTiles[static_cast<std::size_t>(tile)];
-  const std::size_t first = found.size();
+  const Appearance& appearance = this->Key.Appearance;
   try
   {
-    found.reserve(first + senders.Count);
+    if (std::any_of(appearance.Lights.begin(), appearance.Lights.end(),
+          [](const Light& light) { return light.CastsShadows; }))
+    {
+      arriving.OfLights.resize(appearance.Lights.size());
+    }
+    std::vector<LightCache::Found>& found = this->OfTiles[static_cast<std::size_t>(tile)];
+    found.reserve(found.size() + senders * this->Sources.size());
+    return true;
   }
   catch (const std::bad_alloc&)
   {
-    arriving.fill(1.0f); // a later frame may find the light
-    this->Missing += static_cast<std::int64_t>(senders.Count);
+    arriving.OfLights.clear();
+    return false;
+  }
+}
+
+std::int64_t SurfaceLight::Find(
+  std::int64_t tile, const HitList& hits, bool isTile, ArrivingLight& arriving)
+{
+  const std::vector<Light>& lights = this->Key.Appearance.Lights;
+  Senders senders;
+  if (!this->Sources.empty())
+  {
+    this->ChooseSenders(hits, isTile, senders);
+  }
+  const bool hasRoom = this->PrepareRoom(tile, senders.Count, arriving);
+  arriving.FromAllSides.fill(1.0f);
+  for (RayBatch::Array<float>& ofLight : arriving.OfLights)
+  {
+    ofLight.fill(1.0f);
+  }
+  if (!hasRoom)
+  {
+    this->Missing += static_cast<std::int64_t>(hits.Rays.Count); // a later frame may find the light
     return 0;
   }
+  std::int64_t cells = 0;
+  for (std::size_t i = 0; i < arriving.OfLights.size(); ++i)
+  {
+    if (lights[i].CastsShadows && lights[i].Size == 0.0)
+    {
+      cells +=
+        FindHardShadows(this->Tracer, this->Key.Appearance, lights[i], hits, arriving.OfLights[i]);
+    }
+  }
+  const double strength = this->Key.Appearance.Occlusion.Strength;
+  for (const Source& source : this->Sources)
+  {
+    RayBatch::Array<float>& of =
+      source.Of ? arriving.OfLights[source.Number - 1u] : arriving.FromAllSides;
+    cells += this->FindKept(tile, hits, isTile, senders, source, of);
+    for (std::size_t i = 0; !source.Of && i < hits.Rays.Count; ++i)
+    {
+      of[i] = static_cast<float>(1.0 - strength * (1.0 - static_cast<double>(of[i])));
+    }
+    FillLastVector(hits.Rays.Count, of);
+  }
+  return cells;
+}
+
+/// Find the light from a source: what is kept of it, and what new rays find.
+/// \param arriving the share that arrives at each hit
+std::int64_t SurfaceLight::FindKept(std::int64_t tile, const HitList& hits, bool isTile,
+  const Senders& senders, const Source& source, RayBatch::Array<float>& arriving)
+{
+  std::vector<LightCache::Found>& found = this->OfTiles[static_cast<std::size_t>(tile)];
+  const std::size_t first = found.size();
   RayBatch::Array<std::uint64_t> hashes;
   for (std::size_t k = 0; k < senders.Count; ++k)
   {
     found.push_back({ this->PlaceOf(hits, senders.Hit[k]), LightCache::NoBlock, 0, 0 });
+    found.back().Place.Source = source.Number;
     hashes[k] = HashOfBlock(found.back().Place);
     this->Kept.PrepareSlot(hashes[k]);
   }
@@ -215,43 +234,67 @@ std::int64_t SurfaceLight::Find(
     const std::uint32_t rays = std::min(known[k].Own.Rays(), this->RaysInAll);
     patch.Rays = std::min(this->RaysOfFrame, this->RaysInAll - rays);
   }
-  const std::int64_t cells = this->Trace(hits, senders, known, found.data() + first);
-  RayBatch::Array<float> ofSenders;
-  this->Gather(senders.Count, known, found.data() + first, isTile, ofSenders);
+  const std::int64_t cells = this->Trace(hits, senders, source, known, found.data() + first);
+  RayBatch::Array<float> shares;
+  this->Gather(senders.Count, known, found.data() + first, isTile, shares);
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
-    arriving[i] = (hits.Misses >> i & 1u) != 0 ? 1.0f : ofSenders[senders.Of[i]];
+    arriving[i] = (hits.Misses >> i & 1u) != 0 ? 1.0f : shares[senders.Of[i]];
   }
-  FillLastVector(hits.Rays.Count, arriving);
   return cells;
 }
 
+/// The way of a ray of a patch: its target is another point in each ray.
+SurfaceLight::Way SurfaceLight::WayTo(const Source& source, const HitList& hits, std::size_t hit,
+  const PatchPlace& place, std::uint32_t number) const
+{
+  if (!source.Of)
+  {
+    const auto& normal = hits.Normal[hit];
+    return { DirectionAround({ normal[0], normal[1], normal[2] }, place, number),
+      this->Key.Appearance.Occlusion.Radius };
+  }
+  const Light& light = *source.Of;
+  const glm::dvec3 middle =
+    light.Positional ? light.Position - hits.Rays.PointAt(hit) : -light.Direction;
+  const double distance = glm::length(middle);
+  if (!(distance > 0.0))
+  {
+    return { glm::dvec3(0.0, 0.0, 1.0), 0.0 };
+  }
+  const glm::dvec3 way = middle + light.Size * PointOnDisk(middle / distance, place, number);
+  const double length = glm::length(way);
+  return { way / length, light.Positional ? length : std::numeric_limits<double>::infinity() };
+}
+
 /// Trace the rays of hits: the first rays of all hits, then their second rays, and so on.
-std::int64_t SurfaceLight::Trace(const HitList& hits, const Senders& senders,
+std::int64_t SurfaceLight::Trace(const HitList& hits, const Senders& senders, const Source& source,
   const RayBatch::Array<LightCache::Known>& known, LightCache::Found* found) const
 {
-  Batch batch(this->Tracer, this->Key.Appearance.Occlusion.Radius, found);
+  LightRayBatches batches(this->Tracer,
+    [&](std::size_t sender, float passed)
+    {
+      found[sender].Light +=
+        static_cast<std::uint32_t>(passed * static_cast<float>(LightSum::Whole) + 0.5f);
+    });
   for (std::uint32_t ray = 0; ray < this->RaysOfFrame; ++ray)
   {
     for (std::size_t k = 0; k < senders.Count; ++k)
     {
       if (ray < found[k].Rays)
       {
-        const auto& normal = hits.Normal[senders.Hit[k]];
-        batch.Append(hits.Rays.PointAt(senders.Hit[k]),
-          LightDirection(
-            glm::dvec3(normal[0], normal[1], normal[2]), found[k].Place, known[k].Own.Rays() + ray),
-          k);
+        const Way way =
+          this->WayTo(source, hits, senders.Hit[k], found[k].Place, known[k].Own.Rays() + ray);
+        batches.Append(hits.Rays.PointAt(senders.Hit[k]), way.Direction, way.Length, k);
       }
     }
   }
-  batch.Trace();
-  return batch.CellsRead;
+  return batches.Finish();
 }
 
 /// Gather the light of patches, and of larger ones where these know little.
 void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::Known>& known,
-  const LightCache::Found* found, bool areTogether, RayBatch::Array<float>& arriving)
+  const LightCache::Found* found, bool areTogether, RayBatch::Array<float>& shares)
 {
   TileSums sums;
   std::int64_t missing = 0;
@@ -272,7 +315,6 @@ void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::K
       sums.At(LargerThan(larger)).Add(found[k].Rays, found[k].Light);
     }
   }
-  const double strength = this->Key.Appearance.Occlusion.Strength;
   for (std::size_t k = 0; k < count; ++k)
   {
     Estimate estimate;
@@ -290,7 +332,7 @@ void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::K
       estimate.AddMissing(sums.At(larger));
       estimate.AddMissing(sums.At(LargerThan(larger)));
     }
-    arriving[k] = static_cast<float>(1.0 - strength * (1.0 - estimate.Share()));
+    shares[k] = static_cast<float>(estimate.Share());
   }
   this->Missing += missing;
 }

@@ -3,8 +3,9 @@
 #ifndef TemporalCoherence_SurfaceLight_h
 #define TemporalCoherence_SurfaceLight_h
 
+#include "Shade/Light/ArrivingLight.h"
 #include "Shade/Light/LightCache.h"
-#include "Shade/Light/OcclusionTracer.h"
+#include "Shade/Light/LightTracer.h"
 
 #include <atomic>
 #include <cstddef>
@@ -35,13 +36,11 @@ public:
     std::shared_ptr<const SurfaceTracer> tracer, const LightCache& kept, std::uint32_t raysOfFrame,
     std::uint32_t raysInAll, bool sharesPixels);
 
-  /// Find the share of ambient and diffuse light that reaches hits.
+  /// Find the light that reaches hits.
   /// \param hits     with their normals
   /// \param isTile   the list holds the first hits of a tile: neighbours help each other
-  /// \param arriving result, up to the end of the last vector
   /// \return cells read
-  std::int64_t Find(
-    std::int64_t tile, const HitList& hits, bool isTile, RayBatch::Array<float>& arriving);
+  std::int64_t Find(std::int64_t tile, const HitList& hits, bool isTile, ArrivingLight& arriving);
 
   /// True if no hit needs more rays.
   bool IsFinal() const { return this->Missing.load() == 0; }
@@ -49,16 +48,33 @@ public:
   const std::vector<std::vector<LightCache::Found>>& Found() const { return this->OfTiles; }
 
 private:
-  class Batch;
-
   struct Senders;
 
+  /// Where light comes from whose sum is kept.
+  struct Source
+  {
+    std::uint16_t Number; ///< PatchPlace::Source
+    const Light* Of;      ///< null: all sides
+  };
+
+  /// The way from a point to where its light comes from.
+  struct Way
+  {
+    glm::dvec3 Direction; ///< of unit length
+    double Length;
+  };
+
+  bool PrepareRoom(std::int64_t tile, std::size_t senders, ArrivingLight& arriving);
   bool CanShare(const HitList& hits, std::size_t one, std::size_t other, double width) const;
   void ChooseSenders(const HitList& hits, bool isTile, Senders& senders) const;
-  std::int64_t Trace(const HitList& hits, const Senders& senders,
+  Way WayTo(const Source& source, const HitList& hits, std::size_t hit, const PatchPlace& place,
+    std::uint32_t number) const;
+  std::int64_t FindKept(std::int64_t tile, const HitList& hits, bool isTile, const Senders& senders,
+    const Source& source, RayBatch::Array<float>& arriving);
+  std::int64_t Trace(const HitList& hits, const Senders& senders, const Source& source,
     const RayBatch::Array<LightCache::Known>& known, LightCache::Found* found) const;
   void Gather(std::size_t count, const RayBatch::Array<LightCache::Known>& known,
-    const LightCache::Found* found, bool areTogether, RayBatch::Array<float>& arriving);
+    const LightCache::Found* found, bool areTogether, RayBatch::Array<float>& shares);
   double WidthAt(double t) const { return this->Width + this->WidthPerDepth * t; }
   PatchPlace PlaceOf(const HitList& hits, std::size_t hit) const;
 
@@ -66,8 +82,9 @@ private:
   const LightCache& Kept;
   std::uint32_t RaysOfFrame, RaysInAll;
   bool SharesPixels; ///< one of four pixels sends rays; patches are two pixels wide
-  NormalSource Source;
-  OcclusionTracer Tracer;
+  NormalSource Normals;
+  LightTracer Tracer;
+  std::vector<Source> Sources;
   double WidthPerDepth, Width; ///< of patches: for each unit of t, and at t = 0
   glm::mat3 NormalFromWorld;   ///< to the axes of the data
   glm::dvec3 Edges;            ///< of a cell of index space, in the world

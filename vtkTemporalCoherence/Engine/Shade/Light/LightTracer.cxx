@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shade/Light/OcclusionTracer.h"
+#include "Shade/Light/LightTracer.h"
 
 #include "Lattice/RayPieces.h"
 #include "Scene/LayerBatch.h"
@@ -23,7 +23,7 @@ constexpr double SmallestShare = 1e-15;
 
 }
 
-OcclusionTracer::OcclusionTracer(
+LightTracer::LightTracer(
   const FrameKey& key, const NormalSource& source, std::shared_ptr<const SurfaceTracer> tracer)
   : Key(key)
   , Source(source)
@@ -34,7 +34,7 @@ OcclusionTracer::OcclusionTracer(
 {
 }
 
-void OcclusionTracer::SetUp(const LightRays& rays, double length, RayBatch& batch) const
+void LightTracer::SetUp(const LightRays& rays, RayBatch& batch) const
 {
   const glm::dmat4& toIndex = this->Key.Transform.IndexFromWorld;
   batch.Count = static_cast<int>(rays.Count);
@@ -42,7 +42,7 @@ void OcclusionTracer::SetUp(const LightRays& rays, double length, RayBatch& batc
   for (std::size_t i = 0; i < rays.Count; ++i)
   {
     batch.Begin[i] = this->Begin;
-    batch.End[i] = length;
+    batch.End[i] = rays.Length[i];
   }
   for (int a = 0; a < 3; ++a)
   {
@@ -85,17 +85,15 @@ void OcclusionTracer::SetUp(const LightRays& rays, double length, RayBatch& batc
   FillLastVector(rays.Count, batch.WalkEnd);
 }
 
-std::int64_t OcclusionTracer::Trace(
-  const LightRays& rays, double length, RayBatch::Array<float>& passed) const
+std::int64_t LightTracer::Trace(const LightRays& rays, RayBatch::Array<float>& passed) const
 {
   RayBatch batch;
-  this->SetUp(rays, length, batch);
+  this->SetUp(rays, batch);
   return this->Key.Isosurfaces().IsTranslucent() ? this->TraceLayers(rays, batch, passed)
                                                  : this->TraceOpaque(batch, passed);
 }
 
-std::int64_t OcclusionTracer::TraceOpaque(
-  const RayBatch& batch, RayBatch::Array<float>& passed) const
+std::int64_t LightTracer::TraceOpaque(const RayBatch& batch, RayBatch::Array<float>& passed) const
 {
   std::int64_t cells = 0;
   std::uint64_t blocked = 0;
@@ -123,7 +121,7 @@ std::int64_t OcclusionTracer::TraceOpaque(
   return cells;
 }
 
-std::int64_t OcclusionTracer::TraceLayers(
+std::int64_t LightTracer::TraceLayers(
   const LightRays& rays, const RayBatch& batch, RayBatch::Array<float>& passed) const
 {
   std::fill_n(passed.begin(), rays.Count, 1.0f);

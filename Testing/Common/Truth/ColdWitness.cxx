@@ -74,6 +74,7 @@ bool ColdWitness::Draw(Scene& scene)
   this->Mapper->SetFinalColorWindow(scene.Mapper->GetFinalColorWindow());
   this->Mapper->SetFinalColorLevel(scene.Mapper->GetFinalColorLevel());
   this->Mapper->SetSurfaceMode(scene.Mapper->GetSurfaceMode());
+  this->Mapper->SetShadows(scene.Mapper->GetShadows());
   this->Mapper->SetVectorMode(scene.Mapper->GetVectorMode());
   this->Mapper->SetVectorComponent(scene.Mapper->GetVectorComponent());
   this->Mapper->SetCropping(scene.Mapper->GetCropping());

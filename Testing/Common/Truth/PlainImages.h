@@ -64,6 +64,7 @@ inline void ExpectSame(const std::string& what, Scene& scene, vtkImageData* plai
 {
   Scene reference(plain, { 60.0 });
   reference.Mapper->SetSurfaceMode(scene.Mapper->GetSurfaceMode());
+  reference.Mapper->SetShadows(scene.Mapper->GetShadows());
   if (arrange)
   {
     arrange(reference);

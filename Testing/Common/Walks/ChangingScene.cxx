@@ -105,6 +105,7 @@ std::set<std::string> ChangingScene::Features() const
   add(property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION, "nearest");
   add(mapper->GetSurfaceMode() == Mapper::THRESHOLD, "threshold");
   add(!this->Shown.Renderer->GetTwoSidedLighting(), "one-sided");
+  add(mapper->GetShadows() && property->GetShade(), "shadows");
   add(mapper->GetReuseAccuracy() == Mapper::EXACT, "exact");
   add(this->Shown.Renderer->GetActiveCamera()->GetParallelProjection(), "parallel");
   return features;

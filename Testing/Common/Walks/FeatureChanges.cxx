@@ -193,6 +193,7 @@ std::vector<Change> OfAppearance(Scene& scene, RandomViews& views)
       } },
     { false, [&] { AddLight(scene, views); } },
     { false, [&] { scene.Renderer->SetTwoSidedLighting(views.Pick(2)); } },
+    { false, [&] { scene.Mapper->SetShadows(1 - scene.Mapper->GetShadows()); } },
   };
 }
 
@@ -215,6 +216,7 @@ void SwitchOff(Scene& scene)
   mapper->SetCropping(made->GetCropping());
   mapper->RemoveAllClippingPlanes();
   mapper->SetSurfaceMode(made->GetSurfaceMode());
+  mapper->SetShadows(made->GetShadows());
   mapper->SetVectorMode(made->GetVectorMode());
   mapper->SetMaskInput(nullptr);
   mapper->SetReuseFrames(made->GetReuseFrames());

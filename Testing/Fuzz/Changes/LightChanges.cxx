@@ -69,8 +69,10 @@ void Sides(World& world)
 {
   world.Renderer()->SetTwoSidedLighting(world.From.Pick(2));
   world.Renderer()->SetLightFollowCamera(world.From.Pick(2));
+  // No byte of its own: stored seeds keep their meaning.
+  world.Subject->SetShadows(world.Renderer()->GetLightFollowCamera());
   Story::Tell("  two-sided ", world.Renderer()->GetTwoSidedLighting(), ", following ",
-    world.Renderer()->GetLightFollowCamera());
+    world.Renderer()->GetLightFollowCamera(), ", shadows ", world.Subject->GetShadows());
 }
 
 }

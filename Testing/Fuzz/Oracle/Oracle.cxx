@@ -96,6 +96,7 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   fresh->SetBlendMode(subject->GetBlendMode());
   fresh->SetAverageIPScalarRange(subject->GetAverageIPScalarRange());
   fresh->SetSurfaceMode(subject->GetSurfaceMode());
+  fresh->SetShadows(subject->GetShadows());
   fresh->SetVectorMode(subject->GetVectorMode());
   fresh->SetVectorComponent(subject->GetVectorComponent());
   fresh->SetSmoothMeshNormals(subject->GetSmoothMeshNormals());

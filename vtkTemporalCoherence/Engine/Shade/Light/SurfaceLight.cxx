@@ -206,6 +206,21 @@ std::int64_t SurfaceLight::Find(
   return cells;
 }
 
+/// The number of rays that make a patch final: fewer if nearly all or hardly any of them pass, as
+/// their mean is certain sooner.
+std::uint32_t SurfaceLight::RaysNeeded(std::uint32_t rays, std::uint32_t light) const
+{
+  constexpr std::uint32_t least = 256;
+  if (rays < least)
+  {
+    return this->RaysInAll;
+  }
+  const double share = static_cast<double>(light) / (static_cast<double>(rays) * LightSum::Whole);
+  const double spread = 8.0 * share * (1.0 - share);
+  return std::min(
+    std::max(least, static_cast<std::uint32_t>(spread * this->RaysInAll)), this->RaysInAll);
+}
+
 /// Find the light from a source: what is kept of it, and what new rays find.
 /// \param arriving the share that arrives at each hit
 std::int64_t SurfaceLight::FindKept(std::int64_t tile, const HitList& hits, bool isTile,
@@ -231,8 +246,10 @@ std::int64_t SurfaceLight::FindKept(std::int64_t tile, const HitList& hits, bool
     LightCache::Found& patch = found[first + k];
     known[k] = this->Kept.Find(hashes[k], patch.Place);
     patch.Block = known[k].Block;
-    const std::uint32_t rays = std::min(known[k].Own.Rays(), this->RaysInAll);
-    patch.Rays = std::min(this->RaysOfFrame, this->RaysInAll - rays);
+    const LightSum& own = known[k].Own;
+    patch.Rays = own.Rays() < this->RaysNeeded(own.Rays(), own.Light())
+      ? std::min(this->RaysOfFrame, this->RaysInAll - own.Rays())
+      : 0;
   }
   const std::int64_t cells = this->Trace(hits, senders, source, known, found.data() + first);
   RayBatch::Array<float> shares;
@@ -303,7 +320,8 @@ void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::K
   {
     const std::uint32_t rays = known[k].Own.Rays() + found[k].Rays;
     areFew |= rays + known[k].Larger[1].Rays() < LightCache::FewRays;
-    missing += rays < this->RaysInAll;
+    missing += known[k].Own.Rays() + found[k].Rays <
+      this->RaysNeeded(known[k].Own.Rays() + found[k].Rays, known[k].Own.Light() + found[k].Light);
   }
   const bool pools = areTogether && areFew;
   for (std::size_t k = 0; pools && k < count; ++k)

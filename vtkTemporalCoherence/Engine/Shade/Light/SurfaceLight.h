@@ -64,6 +64,7 @@ private:
     double Length;
   };
 
+  std::uint32_t RaysNeeded(std::uint32_t rays, std::uint32_t light) const;
   bool PrepareRoom(std::int64_t tile, std::size_t senders, ArrivingLight& arriving);
   bool CanShare(const HitList& hits, std::size_t one, std::size_t other, double width) const;
   void ChooseSenders(const HitList& hits, bool isTile, Senders& senders) const;

@@ -115,8 +115,8 @@ public:
    *   frame that differs in nothing from the last one sends 32 times as many from each pixel.
    *
    * The light of a surface is kept while the camera moves, and gets better from frame to frame.
-   * GetFrameIsFinal() is true once each pixel has enough rays: 256 where nearly all of them pass or
-   * none, 1024 at most.
+   * GetFrameIsFinal() is true once each pixel has enough rays: 1024, or as few as 256 on evenly lit
+   * surfaces.
    */
   vtkSetMacro(AmbientOcclusion, vtkTypeBool);
   vtkGetMacro(AmbientOcclusion, vtkTypeBool);

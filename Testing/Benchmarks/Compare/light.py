@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Time and error of ambient occlusion: the first frame, turning frames, and a still view.
+"""Time and error of ambient occlusion (the first frame, turning frames, a still view), and the time of
+hard shadows of one light.
 
-Prints a table in Markdown. Frames without occlusion are made in turns with the others, in the same
-views. Errors are mean differences from the final picture, in steps of a byte.
+Prints a table in Markdown. Frames without both are made in turns with the others, in the same views. Errors are mean differences from the final picture, in steps of a byte.
 
 usage: light.py [VOLUME:ISOVALUE]...   with the package vtkTemporalCoherence in PYTHONPATH
 """
@@ -19,7 +19,7 @@ import numpy
 import volumes
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkLight, vtkRenderer, vtkVolume
 from vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
 
 VOLUMES = ("engine.vti:70", "bonsai.vti:40", "brain.vti:40", "cthead.vti:600")
@@ -85,20 +85,27 @@ def measure(name: str, isovalue: float, view: str) -> str:
     if image is None:
         return f"| {name} | SKIPPED: no such file |"
     plain, lit = Picture(image, isovalue, False), Picture(image, isovalue, True)
+    shadowed = Picture(image, isovalue, False)
     renderer = vtkRenderer()
+    light = vtkLight()
+    light.SetLightTypeToSceneLight()
+    light.SetPosition(1.0, -0.6, 1.4)
+    renderer.AddLight(light)
     camera = renderer.GetActiveCamera()
     renderer.ResetCamera(lit.volume.GetBounds())
     camera.Azimuth(30)
     camera.Elevation(20)
     camera.Zoom(VIEWS[view])
     renderer.ResetCameraClippingRange(lit.volume.GetBounds())
-    plain.set_up(renderer)
-    lit.set_up(renderer)
+    for picture in (plain, lit, shadowed):
+        picture.set_up(renderer)
+    shadowed.mapper.ShadowsOn()
     camera.Azimuth(1)
-    cold, turning = [], []
+    cold, turning, shadows = [], [], []
     for turn in range(TURNS):
         cold.append(plain.make(renderer))
         turning.append(lit.make(renderer))
+        shadows.append(shadowed.make(renderer))
         if turn == 0:
             truth = Picture(image, isovalue, True)
             truth.set_up(renderer)
@@ -114,13 +121,14 @@ def measure(name: str, isovalue: float, view: str) -> str:
     return (
         f"| {name}, {isovalue:g}, {view} | {(final >= 0).sum() / 1e6:.2f} | {base:.0f} "
         f"| {turning[0] / base:.1f} | {statistics.median(turning[TURNS // 2:]) / base:.1f} "
-        f"| {still:.0f} | {frames} | {first_error:.1f} | {error(last, final):.1f} |")
+        f"| {still:.0f} | {frames} | {first_error:.1f} | {error(last, final):.1f} | {statistics.median(shadows) / base:.1f} |")
 
 
 def main() -> None:
     print("| volume, isovalue, view | hits, million | cold, ms | first / cold | turning / cold "
-          f"| still, ms | still frames | error: first frame | after {TURNS - 1} turns |")
-    print("|---|---|---|---|---|---|---|---|---|")
+          f"| still, ms | still frames | error: first frame | after {TURNS - 1} turns "
+          "| hard shadows / cold |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
     for asked in sys.argv[1:] or VOLUMES:
         name, isovalue = asked.rsplit(":", 1)
         for view in VIEWS:

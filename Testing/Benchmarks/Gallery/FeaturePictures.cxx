@@ -15,6 +15,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkExtractVOI.h>
 #include <vtkGlyph3D.h>
+#include <vtkLight.h>
 #include <vtkMaskPoints.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPlane.h>
@@ -110,6 +111,40 @@ Shot PlainFolds(GallerySettings& settings)
 Shot DarkFolds(GallerySettings& settings)
 {
   return Folds(settings, true);
+}
+
+/// An engine under a lamp that casts soft shadows, with ambient occlusion where no lamp shines.
+Shot Shadows(GallerySettings& settings)
+{
+  const Subject subject = FirstOf({ { "engine.vti", "CT engine 256x256x110", { 70.0 },
+                                      { { 1.0, -1.4, 0.9 }, { 0.0, 0.0, 1.0 }, 1.5 } },
+                                    SpheresInstead({ 100.0 }) },
+    settings);
+  FeatureScene scene(settings, subject);
+  scene.Show({ { subject.Isovalues[0], Style::Steel } });
+  scene.Room.Renderer->RemoveAllLights();
+  const double size = scene.Volume->GetLength();
+  const double* middle = scene.Volume->GetCenter();
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToSceneLight();
+  lamp->PositionalOn();
+  lamp->SetConeAngle(180.0);
+  lamp->SetFocalPoint(middle[0], middle[1], middle[2]);
+  lamp->SetPosition(middle[0] + 1.2 * size, middle[1] - 0.3 * size, middle[2] + 1.3 * size);
+  scene.Room.Renderer->AddLight(lamp);
+  scene.Volume->GetProperty()->SetAmbient(0.35);
+  scene.Mapper->ShadowsOn();
+  scene.Mapper->SetLightRadius(0.06 * size);
+  scene.Mapper->AmbientOcclusionOn();
+  constexpr int frames = 16;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    scene.Room.Photograph();
+  }
+  return scene.Take("shadows", "Shadows",
+    "`ShadowsOn()` and `SetLightRadius()`: a lamp casts soft shadows; `AmbientOcclusionOn()` where "
+    "it "
+    "does not shine");
 }
 
 /// The samples of an image, the farther apart the farther they are from the middle.
@@ -356,7 +391,7 @@ const std::vector<Feature>& All()
     { "cropping", Cropped }, { "clipping", Clipped }, { "rectilinear", Rectilinear },
     { "blocks", Blocks }, { "unstructured", MeshPictures::Unstructured },
     { "curvilinear", MeshPictures::Curvilinear }, { "depth", AmongPolygons }, { "picking", Picked },
-    { "no-occlusion", PlainFolds }, { "occlusion", DarkFolds },
+    { "no-occlusion", PlainFolds }, { "occlusion", DarkFolds }, { "shadows", Shadows },
     { "blended", BlendedPictures::Tree }, { "glow", BlendedPictures::Fire } };
   return features;
 }

@@ -179,7 +179,8 @@ std::int64_t SurfaceLight::Find(
   }
   if (!hasRoom)
   {
-    this->Missing += static_cast<std::int64_t>(hits.Rays.Count); // a later frame may find the light
+    // A later frame may find the light.
+    this->Wanted += static_cast<std::int64_t>(hits.Rays.Count) * this->RaysInAll;
     return 0;
   }
   std::int64_t cells = 0;
@@ -297,13 +298,13 @@ void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::K
   const LightCache::Found* found, bool areTogether, RayBatch::Array<float>& shares)
 {
   TileSums sums;
-  std::int64_t missing = 0;
+  std::int64_t sum = 0;
   bool areFew = false;
   for (std::size_t k = 0; k < count; ++k)
   {
     const std::uint32_t rays = known[k].Own.Rays() + found[k].Rays;
     areFew |= rays + known[k].Larger[1].Rays() < LightCache::FewRays;
-    missing += rays < this->RaysInAll;
+    sum += std::min(rays, this->RaysInAll);
   }
   const bool pools = areTogether && areFew;
   for (std::size_t k = 0; pools && k < count; ++k)
@@ -334,7 +335,8 @@ void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::K
     }
     shares[k] = static_cast<float>(estimate.Share());
   }
-  this->Missing += missing;
+  this->Wanted += static_cast<std::int64_t>(count) * this->RaysInAll;
+  this->Known += sum;
 }
 
 /// The patch of a hit.

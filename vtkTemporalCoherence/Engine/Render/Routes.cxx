@@ -114,19 +114,20 @@ bool ShadeAgain(FrameTask& task)
     {
       saved.emplace(picture);
     }
-    const auto shade = [&](std::int64_t tile, const PixelRect& part)
+    const auto shade = [&](std::size_t group, TraceCounts& counts)
     {
-      TraceCounts counts;
-      if (saved)
+      const TileRange tiles = TilesOfGroup(picture.Size, group);
+      for (std::int64_t tile = tiles.First; tile < tiles.End; ++tile)
       {
-        saved->Save(tile, part);
+        const PixelRect part = PixelsOfTile(picture.Size, tile);
+        if (saved)
+        {
+          saved->Save(tile, part);
+        }
+        shader.Shade(tile, part, nullptr, picture, counts);
       }
-      shader.Shade(tile, part, nullptr, picture, counts);
-      return counts;
     };
-    if (!CountGroups(picture.Size, task.Report, counted,
-          [&](std::size_t group, TraceCounts& ofGroup)
-          { CountGroup(picture.Size, group, ofGroup, shade); }))
+    if (!CountGroups(picture.Size, task.Report, counted, shade))
     {
       return false;
     }

@@ -43,8 +43,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;
 
-class VTKTEMPORALCOHERENCE_EXPORT VTK_MARSHALEXCLUDE(
-  "it belongs to an event loop") vtkTemporalCoherenceRefiner : public vtkObject
+class VTKTEMPORALCOHERENCE_EXPORT vtkTemporalCoherenceRefiner : public vtkObject
 {
 public:
   static vtkTemporalCoherenceRefiner* New();

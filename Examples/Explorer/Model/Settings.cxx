@@ -64,6 +64,8 @@ std::vector<Setting> MakeTable()
       onOff },
     { "occlusion", "Ambient occlusion", "ambient occlusion: hollows are darker, so depth shows",
       "Light", '1', onOff, &Model::DrawsSurfaces, 1.0, 0.0 },
+    { "shadows", "Shadows", "shadows of surfaces on one another, by all lights but headlights",
+      "Light", '3', onOff, &Model::DrawsSurfaces, 0.0, 0.0 },
     { "", "", "", "", '\0', onOff },
     Reflection("Ambient", "light from everywhere", 1.0),
     Reflection("Diffuse", "light that shows the shape", 1.0),

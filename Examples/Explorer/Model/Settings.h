@@ -35,6 +35,7 @@ struct Row
     Clipping,
     Cropping,
     Occlusion,
+    Shadows,
     OwnShading,                    // else it is that of the material
     Shading,                       // ambient, diffuse, specular, power
     OcclusionRadius = Shading + 4, // as a share of the longest edge

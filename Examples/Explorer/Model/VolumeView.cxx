@@ -217,6 +217,7 @@ void VolumeView::Apply(Look& look)
   this->Mapper->SetAmbientOcclusion(look.Values[Row::Occlusion] != 0);
   this->Mapper->SetAmbientOcclusionRadius(look.Values[Row::OcclusionRadius] * this->LongestEdge());
   this->Mapper->SetAmbientOcclusionStrength(look.Values[Row::OcclusionStrength]);
+  this->Mapper->SetShadows(look.Values[Row::Shadows] != 0);
   this->Mapper->SetReuseAccuracy(
     vtkTemporalCoherenceVolumeMapper::EXACT + look.Choice(Row::Accuracy));
   this->Mapper->SetReuseFrames(look.Values[Row::ImageCache] != 0);

@@ -135,7 +135,10 @@ void Workbench::OnFrameBegin()
 {
   this->FrameBegan = vtkTimerLog::GetUniversalTime();
   this->Rendering.stop();
-  this->Pointer = QCursor::pos();
+  if (this->Refiner->GetRendering())
+  {
+    this->Pointer = QCursor::pos();
+  }
 }
 
 void Workbench::OnRefined()

@@ -125,6 +125,7 @@ set(engine_files
   Render/ReusePlan
   Render/Routes
   Render/SampleDistance
+  Render/SavedColors
   Render/TileTracer)
 set(volume_files
   Volumes/Medium/KernelsEmission
@@ -282,6 +283,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceObjectFactory.cxx"
     "${module_directory}/vtkTemporalCoherencePaperMapper.cxx"
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
+    "${module_directory}/vtkTemporalCoherenceRefiner.cxx"
     "${module_directory}/vtkTemporalCoherenceStatistics.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
@@ -300,6 +302,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceObjectFactory.h"
     "${module_directory}/vtkTemporalCoherencePaperMapper.h"
     "${module_directory}/vtkTemporalCoherencePicker.h"
+    "${module_directory}/vtkTemporalCoherenceRefiner.h"
     "${module_directory}/vtkTemporalCoherenceStatistics.h"
     "${module_directory}/vtkTemporalCoherenceVolume.h"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")

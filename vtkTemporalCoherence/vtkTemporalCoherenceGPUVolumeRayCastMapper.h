@@ -21,7 +21,9 @@
  * - volumes with user-defined shaders (vtkShaderProperty),
  * - volumes with two-dimensional transfer functions,
  * - composite volumes with UseDepthPass,
- * - volumes with scattered light, or with normals from the opacity (VTK >= 9.2),
+ * - volumes with scattered light or shadows (GlobalIlluminationReach or
+ *   VolumetricScatteringBlending above 0), or with normals from the opacity (VTK >= 9.2); for depth
+ *   in isosurfaces call GetIsosurfaceMapper()->AmbientOcclusionOn() instead,
  * - all volumes after RenderToImageOn(), because only its textures hold that image,
  * - volumes whose input or settings vtkTemporalCoherenceVolumeMapper refuses.
  *

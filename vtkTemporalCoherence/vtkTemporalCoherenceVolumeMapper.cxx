@@ -139,7 +139,13 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
       this->Internal->ReportOnce(error);
     }
   }
+  // Those who hear of the end may draw the next frame.
+  const double progress = this->GetFrameProgress();
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isMade);
+  if (isMade)
+  {
+    this->Internal->TellProgress(progress, renderer->GetRenderWindow());
+  }
 }
 
 //------------------------------------------------------------------------------

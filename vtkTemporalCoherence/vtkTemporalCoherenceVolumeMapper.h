@@ -19,13 +19,15 @@
  * are used here (such as voxel). The image cache and the isomap are those of "Accelerating Volume
  * Visualization by Exploiting Temporal Coherence".
  *
- * @sa vtkTemporalCoherenceVolume vtkTemporalCoherencePicker vtkTemporalCoherenceStatistics
+ * @sa vtkTemporalCoherenceVolume vtkTemporalCoherencePicker vtkTemporalCoherenceRefiner
+ * vtkTemporalCoherenceStatistics
  * vtkTemporalCoherencePaperMapper vtkTemporalCoherenceDropInMapper
  */
 
 #ifndef vtkTemporalCoherenceVolumeMapper_h
 #define vtkTemporalCoherenceVolumeMapper_h
 
+#include "vtkCommand.h"                 // For vtkCommand::UserEvent
 #include "vtkTemporalCoherenceModule.h" // For export macro
 #include "vtkTemporalCoherencePaperMapper.h"
 #include "vtkTemporalCoherenceStatistics.h" // For the deprecated getters
@@ -116,7 +118,7 @@ public:
    *
    * The light of a surface is kept while the camera moves, and gets better from frame to frame.
    * GetFrameIsFinal() is true once each pixel has enough rays: 1024, or as few as 256 on evenly lit
-   * surfaces.
+   * surfaces. MakeImage() sends all of them at once.
    */
   vtkSetMacro(AmbientOcclusion, vtkTypeBool);
   vtkGetMacro(AmbientOcclusion, vtkTypeBool);
@@ -149,8 +151,33 @@ public:
   vtkGetMacro(LightRadius, double);
   //@}
 
-  /** False if rendering the last frame again would make its light better. */
+  //@{
+  /**
+   * Get whether the last frame is final: false if rendering it again would make its light better.
+   * GetFrameProgress() is the share of the light's rays that is known, 1 if the frame is final.
+   * vtkTemporalCoherenceRefiner renders a window until its frames are final.
+   */
   bool GetFrameIsFinal();
+  double GetFrameProgress();
+  //@}
+
+  /** Events besides those of vtkCommand. */
+  enum Events
+  {
+    /// The mapper and its window send this event after each frame that was made. The data is
+    /// GetFrameProgress(), a double.
+    FrameProgressEvent = vtkCommand::UserEvent + 4301
+  };
+
+  //@{
+  /**
+   * Set/Get whether MakeImage() makes what the next frame of a window would be (on), or a final
+   * picture (off, default).
+   */
+  vtkSetMacro(ProgressiveImages, vtkTypeBool);
+  vtkGetMacro(ProgressiveImages, vtkTypeBool);
+  vtkBooleanMacro(ProgressiveImages, vtkTypeBool);
+  //@}
 
   //@{
   /**
@@ -468,6 +495,7 @@ private:
   int AmbientOcclusionRays = 1;
   vtkTypeBool Shadows = 0;
   double LightRadius = 0.0;
+  vtkTypeBool ProgressiveImages = 0;
   vtkTypeBool ReuseFrames = 1;
   int NumberOfCachedImages = 1;
   int ReuseAccuracy = EXACT;

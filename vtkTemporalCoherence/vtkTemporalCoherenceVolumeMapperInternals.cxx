@@ -93,6 +93,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
 
   TemporalCoherence::FrameRenderer::Options options = TemporalCoherence::OptionsOf(this->Self);
   options.ReportsTiles = IsHeard(*this->Self, window);
+  options.Light.AtOnce = !window && !this->Self->ProgressiveImages;
   bool isMade = false;
   {
     const Busy busy(*this);
@@ -192,7 +193,12 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::MakeImages(vtkRenderer* render
       { { color, FRAME_COLOR }, { depth, FRAME_DEPTH }, { frame, FRAME_ALL } }, error);
   this->ReportOnce(error);
   bool isDone = isWritten;
+  const double progress = this->Self->GetFrameProgress();
   this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isDone);
+  if (isMade)
+  {
+    this->TellProgress(progress, nullptr);
+  }
   return isWritten;
 }
 
@@ -234,6 +240,17 @@ void vtkTemporalCoherenceVolumeMapper::Internals::TellStart()
 {
   const Busy busy(*this);
   this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::Internals::TellProgress(
+  double progress, vtkRenderWindow* window)
+{
+  this->Self->InvokeEvent(FrameProgressEvent, &progress);
+  if (window)
+  {
+    window->InvokeEvent(FrameProgressEvent, &progress);
+  }
 }
 
 //------------------------------------------------------------------------------

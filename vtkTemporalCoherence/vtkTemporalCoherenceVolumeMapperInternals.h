@@ -136,6 +136,9 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   /// Announce a frame. Observers may change settings, but not begin another frame.
   void TellStart();
 
+  /// Tell how far a frame is, which was made for a window or for an image (null).
+  void TellProgress(double progress, vtkRenderWindow* window);
+
   /// Report an error unless it is empty or was reported last.
   void ReportOnce(const std::string& error);
 

@@ -73,6 +73,12 @@ bool vtkTemporalCoherenceVolumeMapper::GetFrameIsFinal()
 }
 
 //------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetFrameProgress()
+{
+  return this->Internal->Frames.Statistics().Progress;
+}
+
+//------------------------------------------------------------------------------
 vtkTemporalCoherenceStatistics* vtkTemporalCoherenceVolumeMapper::GetStatistics()
 {
   using TemporalCoherence::Route;

@@ -37,6 +37,7 @@ private slots:
   void ASessionOfVersion01GivesTheSamePicture();
   void SessionsAreRepeated();
   void SettingsAreFitted();
+  void OldSessionsAreAsTheyWere();
   void WaysToDrawDiffer();
 
   void TheWindowAnswersWhileReading();
@@ -46,6 +47,8 @@ private slots:
   void ChangesAreUndone();
   void WhatCannotBeOpenedIsTold();
   void TimeStepsArePlayed();
+  void PicturesGetBetter();
+  void PicturesAndFilmsAreFinal();
 
   void TheHistogramMovesIsovalues();
   void TheHistogramMovesOpacities();

@@ -50,6 +50,10 @@ void ScriptLog::Tell(const std::string& name, const std::string& value)
 
 void ScriptLog::TellFrame(double windowMs)
 {
+  if (this->Bench.Refiner->GetRendering())
+  {
+    return; // it shows what was seen before, but better
+  }
   vtkTemporalCoherenceVolumeMapper* mapper = this->Bench.Data.View.Mapper;
   const double rays =
     std::max(1.0, static_cast<double>(mapper->GetStatistics()->GetNumberOfRays()));

@@ -128,6 +128,18 @@ void ExplorerTests::SettingsAreFitted()
   this->Bench->Data.View.Picture(Width, Height);
 }
 
+// A setting that a session does not tell was made after the session.
+void ExplorerTests::OldSessionsAreAsTheyWere()
+{
+  const QString path = this->Directory.filePath("short.session");
+  Write(path, "# vtkTemporalCoherence Explorer session 1\nspheres = 32\n");
+  const Session session = ReadSession(path.toStdString());
+  QCOMPARE(session.Settings.Values[Row::Occlusion], 0.0);
+  QCOMPARE(session.Settings.Values[Row::Gradients], 0.0);
+  QCOMPARE(session.Settings.Values[Row::Isomap], 1.0);
+  QVERIFY(Look().Values[Row::Occlusion] != 0.0 && Look().Values[Row::Gradients] != 0.0);
+}
+
 void ExplorerTests::WaysToDrawDiffer()
 {
   std::vector<vtkSmartPointer<vtkImageData>> pictures;

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The Explorer answers while it reads and builds. Changes can be undone, and a message says what
-// cannot be opened.
+// The Explorer answers while it reads and builds. Pictures get better while nothing is done, and
+// those that are saved are final. Changes can be undone, and a message says what cannot be opened.
 
 #include "ExplorerTests.h"
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QProgressBar>
 #include <QSlider>
 
 // Opening comes back at once; what is read is seen when the event loop has run.
@@ -121,4 +122,59 @@ void ExplorerTests::TimeStepsArePlayed()
   QTRY_VERIFY_WITH_TIMEOUT(opened.count() >= 4, Patience);
   play->click();
   QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+}
+
+// With ambient occlusion, until it is done; a bar tells how far it is.
+void ExplorerTests::PicturesGetBetter()
+{
+  Session session;
+  session.Source.Spheres = Spheres;
+  QVERIFY(session.Settings.Values[Row::Occlusion] != 0.0);
+  QSignalSpy refined(this->Bench.get(), &Workbench::Refined);
+  this->Open(session);
+  const auto* bar = this->Window->findChild<QProgressBar*>("progress");
+  QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && bar->value() > 0, Patience);
+  QTRY_COMPARE_WITH_TIMEOUT(this->Bench->Refiner->GetProgress(), 1.0, Patience);
+  QVERIFY(this->Bench->Data.View.Mapper->GetFrameIsFinal());
+  QVERIFY(refined.count() > 8);
+  QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), Patience);
+  // Not while something is dragged, but after it.
+  this->Bench->SetDragging(true);
+  this->Bench->Edit("isovalue", [](Look& look) { look.Surfaces[0].Value += 1.0; });
+  this->Bench->Render();
+  refined.clear();
+  QTest::qWait(50);
+  QCOMPARE(refined.count(), 0);
+  this->Bench->SetDragging(false);
+  QTRY_COMPARE_WITH_TIMEOUT(this->Bench->Refiner->GetProgress(), 1.0, Patience);
+  QVERIFY(refined.count() > 8);
+}
+
+void ExplorerTests::PicturesAndFilmsAreFinal()
+{
+  this->Bench->Turn(Row::Occlusion, 1);
+  QSignalSpy said(this->Bench.get(), &Workbench::Said);
+  const QString path = this->Directory.filePath("final.png");
+  this->Bench->SavePicture(path.toStdString(), Width, Height);
+  QVERIFY(this->Bench->IsBusy());
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+  QVERIFY2(said.last()[0].toString().startsWith("Saved"), said.last()[0].toString().toUtf8());
+  QVERIFY(QFile::exists(path));
+  // One that is stopped is not saved, and the view goes on.
+  const QString other = this->Directory.filePath("stopped.png");
+  this->Bench->SavePicture(other.toStdString(), 8 * Width, 8 * Height);
+  this->Bench->Cancel();
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+  QVERIFY2(said.last()[0].toString().contains("stopped"), said.last()[0].toString().toUtf8());
+  QVERIFY(!QFile::exists(other) && this->Bench->Refiner->GetEnabled());
+
+  const CameraState camera = this->Bench->Data.View.Camera();
+  for (const auto motion : { Workbench::TurnAround, Workbench::Sweep })
+  {
+    this->Bench->MakeFilm(motion, 2, Width / 4, Height / 4);
+    QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+    QVERIFY2(
+      said.last()[0].toString().startsWith("Recorded 2"), said.last()[0].toString().toUtf8());
+  }
+  QVERIFY(camera.Position == this->Bench->Data.View.Camera().Position);
 }

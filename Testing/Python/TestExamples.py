@@ -115,6 +115,20 @@ class DropIn(Example):
         self.assertEqual(len([line for line in lines if line and not line.startswith("#")]), 12)
 
 
+class Depth(Example):
+    def test_picture(self):
+        said = self.run_well(
+            "depth.py", self.save_sphere(), "--isovalue", 0.5, "--size", "100x80", "--output", "a.png")
+        self.assertEqual(said, "saved as a.png\n")
+        pixels = read_png(path=self.folder / "a.png")
+        self.assertEqual(pixels.shape, (80, 100, 3))
+        self.assertTrue(0.05 < pixels.any(axis=2).mean() < 0.5)
+
+    def test_mistakes(self):
+        self.assert_refused("another --output", "depth.py", "--output", "missing/a.png", "--size", "9x9")
+        self.assert_refused("outside of the volume.s values", "depth.py", "--isovalue", 1e9, "--output", "a.png")
+
+
 class ThresholdSweep(Example):
     def test_pictures_and_reuse(self):
         said = self.run_well(

@@ -194,6 +194,20 @@ class Looks(unittest.TestCase):
         surface = isosurface(self.image, VALUE, solid=True)
         self.assertEqual(surface.GetMapper().GetSurfaceMode(), surface.GetMapper().THRESHOLD)
 
+    def test_ambient_occlusion(self):
+        look = {"color": "white", "ambient": 1.0, "diffuse": 0.0}
+        near = {"ambient_occlusion": True, "occlusion_radius": 10.0, **look}
+        mapper = isosurface(self.image, VALUE, **near).GetMapper()
+        self.assertEqual(
+            (mapper.GetAmbientOcclusion(), mapper.GetAmbientOcclusionStrength(),
+             mapper.GetAmbientOcclusionRadius()), (1, 1.0, 10.0))
+        convex = picture(self.image, VALUE, **near).color
+        self.assertTrue((convex[convex[..., 3] > 0, 0] > 250).all())  # nothing is in the way
+        half = isosurface(self.image, VALUE, ambient_occlusion=0.5).GetMapper()
+        self.assertEqual(
+            (half.GetAmbientOcclusionStrength(), half.GetAmbientOcclusionRadius()), (0.5, 0.0))
+        self.assertEqual(isosurface(self.image, VALUE).GetMapper().GetAmbientOcclusion(), 0)
+
 
 class Mistakes(unittest.TestCase):
     def test_sentences(self):
@@ -217,6 +231,9 @@ class Mistakes(unittest.TestCase):
                 (ValueError, "from 0 to 1", (image, 1), {"opacity": 1.5}),
                 (ValueError, "from 0 to 1", (image, 1), {"opacity": "linear"}),
                 (ValueError, "two finite numbers", (image, 1), {"cmap": ["r"], "clim": (1, 1)}),
+                (ValueError, "ambient_occlusion must be", (image, 1), {"ambient_occlusion": 1.5}),
+                (ValueError, "ambient_occlusion must be", (image, 1),
+                 {"ambient_occlusion": True, "occlusion_radius": -1.0}),
                 (ValueError, "from 0 to 0", (image, 1), {"component": 1}),
                 (ValueError, "'point' or 'cell'", (image, 1), {"preference": "face"})):
             with self.subTest(sentence), self.assertRaisesRegex(error, sentence):

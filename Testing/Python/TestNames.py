@@ -13,12 +13,14 @@ from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 from vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
     vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
-    vtkTemporalCoherenceStatistics, vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceRefiner, vtkTemporalCoherenceStatistics, vtkTemporalCoherenceVolume,
+    vtkTemporalCoherenceVolumeMapper)
 
 CLASSES = (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
     vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
-    vtkTemporalCoherenceStatistics, vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceRefiner, vtkTemporalCoherenceStatistics, vtkTemporalCoherenceVolume,
+    vtkTemporalCoherenceVolumeMapper)
 
 # Set...To..., the value that Get... returns then, and the constant of that value.
 CHOICES = {
@@ -35,11 +37,12 @@ CONSTANTS = {
     "ROUTE_RESHADE": 2, "ROUTE_ISOMAP_LOOKUP": 3, "ROUTE_ISOMAP_BUILD": 4,
     "ROUTE_IMAGE_CACHE": 6, "ROUTE_TIME_STEP": 7, "ROUTE_RECOMPOSITE": 8, "ROUTE_KEEP_VALUES": 10,
     "FRAME_COLOR": 1, "FRAME_DEPTH": 2, "FRAME_NORMALS": 4, "FRAME_ISOVALUE_INDEX": 8, "FRAME_ANSWER": 16,
-    "FRAME_ALL": 31,
+    "FRAME_ALL": 31, "FrameProgressEvent": 5301,
 }
 SWITCHES = {
     "ReuseFrames": 1, "SmoothMeshNormals": 0, "Isomap": 1, "SpaceLeaping": 1, "RefineWhenStill": 1, "ColorByAnswer": 0,
     "AutoAdjustSampleDistances": 0, "FixedStepSampling": 0, "WarnOfIsovalues": 1,
+    "AmbientOcclusion": 0, "ProgressiveImages": 0,
 }
 NUMBERS = {
     "KeyImageInterval": (7, 3), "NumberOfCachedImages": (1, 4), "IsomapTolerance": (0.0, 0.25),

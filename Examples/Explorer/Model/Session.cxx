@@ -304,6 +304,7 @@ Session ReadSession(const std::string& path)
       Quoted(FirstLine) + "; open one that the Explorer saved.");
   }
   Session session;
+  session.Settings = Look::Before();
   const std::vector<Field> fields = FieldsOf(session);
   for (int number = 2; std::getline(file, line); ++number)
   {

@@ -12,14 +12,22 @@ namespace
 
 Setting SideOfBox(const char* label, double standard, std::size_t axis)
 {
-  return { "crop", label, "a side of the box", "Crop", '\0', {}, nullptr, standard, {}, axis,
+  return { "crop", label, "a side of the box", "Crop", '\0', {}, nullptr, standard, {}, {}, axis,
     Row::Cropping };
 }
 
 Setting Reflection(const char* label, const char* help, double most)
 {
-  return { "shading", label, help, "Light", '\0', {}, nullptr, 0.0, { 0.0, most }, {},
+  return { "shading", label, help, "Light", '\0', {}, nullptr, 0.0, {}, { 0.0, most }, {},
     Row::OwnShading };
+}
+
+// A number of a switch that sessions have had since there is the switch.
+Setting PartOfLight(const char* name, const char* label, const char* help, double standard,
+  const std::array<double, 2>& range, Row::Which ofSwitch, bool isLogarithmic = false)
+{
+  return { name, label, help, "Light", '\0', {}, &Model::DrawsSurfaces, standard, {}, range, {},
+    ofSwitch, isLogarithmic };
 }
 
 std::vector<Setting> MakeTable()
@@ -46,7 +54,7 @@ std::vector<Setting> MakeTable()
       { "1", "2", "4" } },
     { "film", "Recording", "recordings as pictures or as a film", "Re-use", 'F', { "png", "ogv" } },
     { "gradients", "Mesh normals", "normals of meshes: those of cells, with facets, or smooth",
-      "Light", 'G', { "facets", "smooth" }, &Model::DrawsMesh },
+      "Light", 'G', { "facets", "smooth" }, &Model::DrawsMesh, 1.0, 0.0 },
     { "drawing", "Draw", "surfaces, or the blended volume", "Surfaces", 'D',
       { "surfaces", "composite", "maximum", "minimum", "average", "additive" },
       &Model::DrawsImage },
@@ -54,13 +62,22 @@ std::vector<Setting> MakeTable()
       'T', onOff },
     { "cropping", "Crop to a box", "crop to a box: drag its sides in the view", "Crop", 'E',
       onOff },
+    { "occlusion", "Ambient occlusion", "ambient occlusion: hollows are darker, so depth shows",
+      "Light", '1', onOff, &Model::DrawsSurfaces, 1.0, 0.0 },
+    { "shadows", "Shadows", "shadows of surfaces on one another, by all lights but headlights",
+      "Light", '3', onOff, &Model::DrawsSurfaces, 0.0, 0.0 },
     { "", "", "", "", '\0', onOff },
     Reflection("Ambient", "light from everywhere", 1.0),
     Reflection("Diffuse", "light that shows the shape", 1.0),
     Reflection("Specular", "how bright highlights are", 1.0),
     Reflection("Power", "how small highlights are", 200.0),
+    PartOfLight("occlusion-radius", "Occlusion radius",
+      "how far surfaces keep light away: a share of the longest edge", 0.125, { 0.01, 1.0 },
+      Row::Occlusion, true),
+    PartOfLight("occlusion-strength", "Occlusion strength", "how dark hollows are", 1.0,
+      { 0.0, 1.0 }, Row::Occlusion),
     { "density", "Density", "of the blended volume: how soon it is opaque", "Surfaces", '\0', {},
-      &Model::Blends, 1.0, { 1e-3, 1e3 }, {}, Row::Count, true },
+      &Model::Blends, 1.0, {}, { 1e-3, 1e3 }, {}, Row::Count, true },
     SideOfBox("X from", -1e300, 0),
     SideOfBox("X to", 1e300, 0),
     SideOfBox("Y from", -1e300, 1),
@@ -88,6 +105,16 @@ Look::Look()
 {
   std::transform(AllSettings().begin(), AllSettings().begin() + Row::Count, this->Values.begin(),
     [](const Setting& setting) { return setting.Default; });
+}
+
+Look Look::Before()
+{
+  Look look;
+  for (std::size_t row = 0; row < Row::Count; ++row)
+  {
+    look.Values[row] = AllSettings()[row].Before.value_or(look.Values[row]);
+  }
+  return look;
 }
 
 const char* Look::TextOf(Row::Which choice) const

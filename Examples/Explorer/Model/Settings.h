@@ -34,9 +34,13 @@ struct Row
     Drawing,
     Clipping,
     Cropping,
-    OwnShading, // else it is that of the material
-    Shading,    // ambient, diffuse, specular, power
-    Density = Shading + 4,
+    Occlusion,
+    Shadows,
+    OwnShading,                    // else it is that of the material
+    Shading,                       // ambient, diffuse, specular, power
+    OcclusionRadius = Shading + 4, // as a share of the longest edge
+    OcclusionStrength,
+    Density,
     Crop, // a box along the data's own axes
     Count = Crop + 6,
     Opacity = Count, // is that of the selected marker
@@ -63,7 +67,8 @@ struct Plane // in the world; what the normal points to is seen
 // All settings that can be undone.
 struct Look
 {
-  Look(); // as by default
+  Look();               // as by default
+  static Look Before(); // as sessions mean that are older than settings that they do not tell
   int Choice(Row::Which what) const { return static_cast<int>(this->Values[what]); }
   const char* TextOf(Row::Which choice) const;
 
@@ -85,6 +90,7 @@ struct Setting
   std::vector<const char*> Words;       // of a choice; none: it is a number
   bool (Model::*For)() const = nullptr; // null: for any data, drawn in any way
   double Default = 0.0;
+  std::optional<double> Before = {}; // where sessions do not tell it, as it was made later
   // Of a number.
   std::array<double, 2> Range = { 0.0, 1.0 };
   std::optional<std::size_t> Axis = {}; // along which the data's bounds are the range

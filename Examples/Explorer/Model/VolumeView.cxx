@@ -15,6 +15,7 @@
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkMath.h>
+#include <vtkMatrix4x4.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkVector.h>
 #include <vtkVolumeProperty.h>
@@ -213,6 +214,10 @@ void VolumeView::Apply(Look& look)
     std::max(0.01 * diagonal / look.Values[Row::Density], 1e-30));
   this->Mapper->SetSurfaceMode(look.Choice(Row::Surface));
   this->Mapper->SetSmoothMeshNormals(look.Values[Row::Gradients] != 0);
+  this->Mapper->SetAmbientOcclusion(look.Values[Row::Occlusion] != 0);
+  this->Mapper->SetAmbientOcclusionRadius(look.Values[Row::OcclusionRadius] * this->LongestEdge());
+  this->Mapper->SetAmbientOcclusionStrength(look.Values[Row::OcclusionStrength]);
+  this->Mapper->SetShadows(look.Values[Row::Shadows] != 0);
   this->Mapper->SetReuseAccuracy(
     vtkTemporalCoherenceVolumeMapper::EXACT + look.Choice(Row::Accuracy));
   this->Mapper->SetReuseFrames(look.Values[Row::ImageCache] != 0);
@@ -231,6 +236,21 @@ void VolumeView::Apply(Look& look)
     this->Clip->SetNormal(look.Clip.Normal.data());
     this->Mapper->AddClippingPlane(this->Clip);
   }
+}
+
+// In the world.
+double VolumeView::LongestEdge() const
+{
+  double longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const vtkMatrix4x4* matrix = this->Actor->GetMatrix();
+    const double edge = std::hypot(
+      matrix->GetElement(0, axis), matrix->GetElement(1, axis), matrix->GetElement(2, axis));
+    const auto at = static_cast<std::size_t>(2 * axis);
+    longest = std::max(longest, edge * (this->Bounds[at + 1] - this->Bounds[at]));
+  }
+  return longest;
 }
 
 void VolumeView::LookFrom(const std::string& from, const std::string& up)
@@ -305,13 +325,15 @@ vtkSmartPointer<vtkImageData> VolumeView::LastFrame()
   return OnBackground(picture, Background, Background);
 }
 
-vtkSmartPointer<vtkImageData> VolumeView::Picture(int width, int height)
+vtkSmartPointer<vtkImageData> VolumeView::Picture(int width, int height, const Progress& progress)
 {
   vtkNew<vtkImageData> picture;
   this->Renderer->ResetCameraClippingRange();
+  const Watched watch(this->Mapper, vtkCommand::VolumeMapperRenderProgressEvent, progress);
   if (!this->Mapper->MakeImage(this->Renderer, this->Actor, width, height, picture, nullptr))
   {
-    throw UserError("The picture could not be made; choose a smaller size.");
+    throw UserError(watch.IsStopped ? "The picture was stopped, and is not saved."
+                                    : "The picture could not be made; choose a smaller size.");
   }
   return OnBackground(picture, Background, Background);
 }

@@ -48,9 +48,10 @@ public:
   // For all isovalues in this view. False if it was stopped, or if there can be none.
   bool BuildIsomap(const Progress& progress);
 
-  // The view alone, as it was drawn last or with so many pixels. Both throw UserError.
+  // The view alone, as it was drawn last, or final and with so many pixels. Both throw UserError.
   vtkSmartPointer<vtkImageData> LastFrame();
-  vtkSmartPointer<vtkImageData> Picture(int width, int height);
+  vtkSmartPointer<vtkImageData> Picture(
+    int width, int height, const Progress& progress = [](double) { return true; });
 
   Rgb ColorOf(const Marker& marker) const;
   const std::array<double, 2>& ValueRange() const { return this->Range; }
@@ -65,6 +66,7 @@ public:
 
 private:
   void SetMarkers(const std::vector<Marker>& markers);
+  double LongestEdge() const;
 
   vtkNew<vtkVolume> Actor;
   vtkNew<vtkPlane> Clip;

@@ -6,8 +6,6 @@
 #include "Program/UserError.h"
 #include "Work/Workbench.h"
 
-#include <vtkCamera.h>
-
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDialog>
@@ -18,19 +16,12 @@
 #include <QFormLayout>
 #include <QMainWindow>
 #include <QPixmap>
-#include <QProgressDialog>
 #include <QSpinBox>
 
 namespace
 {
 
 constexpr int MostPixels = 16384;
-
-enum Motion
-{
-  Turn,
-  Sweep, // of the selected isovalue
-};
 
 QString Directory(const Workbench& bench)
 {
@@ -73,37 +64,6 @@ public:
   QSpinBox* Width;
   QSpinBox* Height;
 };
-
-// One frame after another; between them the window answers.
-void MakeFilm(QWidget& over, Workbench& bench, Motion motion, int frames, int width, int height)
-{
-  QProgressDialog progress(QObject::tr("Making a film"), QObject::tr("Stop"), 0, frames, &over);
-  progress.setWindowModality(Qt::WindowModal);
-  Recorder recorder(bench.Output.Directory);
-  recorder.Start(bench.Data.Settings().TextOf(Row::Film));
-  const Look before = bench.Data.Settings();
-  const CameraState camera = bench.Data.View.Camera();
-  for (int frame = 0; frame < frames && !progress.wasCanceled(); ++frame)
-  {
-    if (motion == Sweep)
-    {
-      Look look = before;
-      bench.Data.MarkersOf(look)[bench.Selected()].Value =
-        bench.Data.ValueAt((frame + 0.5) / frames);
-      bench.Data.SetSettings(look);
-    }
-    recorder.Add(bench.Data.View.Picture(width, height));
-    if (motion == Turn)
-    {
-      bench.Data.View.Renderer->GetActiveCamera()->Azimuth(360.0 / frames);
-    }
-    progress.setValue(frame + 1);
-  }
-  bench.Data.View.SetCamera(camera);
-  bench.Data.SetSettings(before);
-  bench.RenderSoon();
-  bench.Say(recorder.Stop());
-}
 
 }
 
@@ -167,7 +127,7 @@ void AskFilm(QMainWindow& window, Workbench& bench)
   const QSpinBox* frames = dialog.AddNumber(QObject::tr("Frames"), 120, 10000);
   if (dialog.Ask())
   {
-    MakeFilm(window, bench, static_cast<Motion>(motion->currentIndex()), frames->value(),
+    bench.MakeFilm(static_cast<Workbench::Motion>(motion->currentIndex()), frames->value(),
       dialog.Width->value(), dialog.Height->value());
   }
 }

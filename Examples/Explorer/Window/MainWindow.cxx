@@ -232,6 +232,8 @@ void MainWindow::MakeStatusBar()
   this->Sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   this->StopButton->setDefaultAction(this->Actions["Stop"]);
   this->statusBar()->addWidget(this->Sentence, 1);
+  this->Progress->setObjectName("progress");
+  this->Progress->setToolTip(tr("How far the work, or the picture, is"));
   this->statusBar()->addPermanentWidget(this->Progress);
   this->statusBar()->addPermanentWidget(this->StopButton);
   QObject::connect(&this->Bench, &Workbench::Said, this,
@@ -243,6 +245,15 @@ void MainWindow::MakeStatusBar()
       QFont font = this->font();
       font.setBold(isWarning);
       this->Sentence->setFont(font);
+    });
+  QObject::connect(&this->Bench, &Workbench::Refined, this,
+    [this](double share)
+    {
+      this->Refined = share;
+      if (!this->Bench.IsBusy())
+      {
+        this->ShowProgress();
+      }
     });
   QObject::connect(&this->Bench, &Workbench::Progressed, this,
     [this](double share)
@@ -319,11 +330,17 @@ void MainWindow::ShowState()
 void MainWindow::ShowProgress()
 {
   const bool isBusy = this->Bench.IsBusy();
-  this->Progress->setVisible(isBusy);
+  const bool isRefining = !isBusy && this->Refined < 1.0;
+  this->Progress->setVisible(isBusy || isRefining);
   this->StopButton->setVisible(isBusy);
   if (isBusy)
   {
     this->Sentence->setText(QString::fromStdString(this->Bench.Doing()));
+  }
+  else if (isRefining)
+  {
+    this->Progress->setRange(0, 100);
+    this->Progress->setValue(static_cast<int>(100.0 * this->Refined));
   }
 }
 

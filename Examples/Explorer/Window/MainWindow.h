@@ -53,6 +53,7 @@ private:
   QLabel* Sentence;
   QProgressBar* Progress;
   QToolButton* StopButton;
+  double Refined = 1.0; // of the picture; 1: it is final
   std::map<QString, QMenu*> Menus;
   std::map<QString, QAction*> Actions; // by their names, without ampersands
 };

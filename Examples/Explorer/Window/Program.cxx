@@ -124,6 +124,7 @@ void Run(const Options& options, int argc, char* argv[], const Extension& extens
     bench.Render();
     if (!options.Screenshot.empty())
     {
+      bench.Refiner->Refine();
       SaveWindow(window, options.Screenshot);
       std::printf("Screenshot: %s\n", Printable(options.Screenshot).c_str());
       window.close();

@@ -6,10 +6,13 @@
 #include "Program/UserError.h"
 #include "View/Picture.h"
 
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
 #include <vtkTimerLog.h>
 
+#include <QCursor>
 #include <QFile>
 
 #include <algorithm>
@@ -96,6 +99,9 @@ void Workbench::SetWindow(vtkRenderWindow* window)
   window->AddRenderer(this->Data.View.Renderer);
   window->AddObserver(vtkCommand::StartEvent, this, &Workbench::OnFrameBegin);
   window->AddObserver(vtkCommand::EndEvent, this, &Workbench::OnFrameEnd);
+  this->Refiner->SetInteractor(window->GetInteractor());
+  this->Refiner->AddObserver(vtkCommand::ProgressEvent, this, &Workbench::OnRefined);
+  this->Refiner->AddObserver(vtkCommand::AbortCheckEvent, this, &Workbench::OnAbortCheck);
 }
 
 // With an observer, VTK writes nothing on the terminal itself.
@@ -129,6 +135,24 @@ void Workbench::OnFrameBegin()
 {
   this->FrameBegan = vtkTimerLog::GetUniversalTime();
   this->Rendering.stop();
+  if (this->Refiner->GetRendering())
+  {
+    this->Pointer = QCursor::pos();
+  }
+}
+
+void Workbench::OnRefined()
+{
+  emit this->Refined(this->Builds ? 1.0 : this->Refiner->GetProgress());
+}
+
+// A picture that gets better waits for whoever moves the mouse.
+void Workbench::OnAbortCheck()
+{
+  if (QCursor::pos() != this->Pointer)
+  {
+    this->Window->SetAbortRender(1);
+  }
 }
 
 void Workbench::OnFrameEnd()
@@ -138,11 +162,28 @@ void Workbench::OnFrameEnd()
     return;
   }
   const double ms = 1000.0 * (vtkTimerLog::GetUniversalTime() - this->FrameBegan);
-  if (this->Output.IsRecording())
+  if (this->Output.IsRecording() && !this->Window->GetAbortRender())
   {
-    this->Try([this] { this->Output.Add(this->Data.View.LastFrame()); });
+    this->Try(
+      [this]
+      {
+        if (!this->Refiner->GetRendering())
+        {
+          this->RecordSeen();
+        }
+        this->Seen = this->Data.View.LastFrame();
+      });
   }
   emit this->FrameDrawn(ms);
+}
+
+// What was seen before the next frame, as good as it got.
+void Workbench::RecordSeen()
+{
+  if (const auto picture = std::exchange(this->Seen, nullptr))
+  {
+    this->Output.Add(picture);
+  }
 }
 
 void Workbench::Edit(const QString& name, const Change& change)
@@ -158,9 +199,9 @@ void Workbench::Edit(const QString& name, const Change& change)
 void Workbench::SetDragging(bool isDragging)
 {
   this->Window->SetDesiredUpdateRate(isDragging ? RateOfDrags : RateOfStills);
-  if (!isDragging && this->Data.IsOpen() && !this->Data.DrawsSurfaces())
+  if (!isDragging && this->Data.IsOpen())
   {
-    this->RenderSoon();
+    this->RenderSoon(); // which refines it
   }
 }
 
@@ -236,6 +277,17 @@ void Workbench::Start(const std::string& what, const Job& job, const std::functi
   emit this->Changed();
 }
 
+// A job of which nothing is to be seen: the view stands still.
+void Workbench::StartOnView(
+  const std::string& what, const Job& job, const std::function<void()>& done)
+{
+  this->Builds = true;
+  this->Refiner->EnabledOff();
+  this->Data.View.Renderer->DrawOff();
+  emit this->Refined(1.0);
+  this->Start(what, job, done);
+}
+
 void Workbench::Finish(std::packaged_task<void()>& task, const std::function<void()>& done)
 {
   this->Thread.join();
@@ -243,6 +295,8 @@ void Workbench::Finish(std::packaged_task<void()>& task, const std::function<voi
   {
     this->Data.View.Renderer->DrawOn();
     this->Data.Apply();
+    this->Refiner->EnabledOn();
+    this->RenderSoon();
   }
   if (this->Next)
   {
@@ -338,10 +392,8 @@ void Workbench::BuildIsomap(bool isAsked)
   }
   this->Render(); // what is built is of the view that is seen
   this->Data.NoteIsomap();
-  this->Builds = true;
-  this->Data.View.Renderer->DrawOff();
   const auto isBuilt = std::make_shared<bool>(false);
-  this->Start(
+  this->StartOnView(
     "Building the isomap of this view",
     [this, isBuilt](const Progress& progress) { *isBuilt = this->Data.View.BuildIsomap(progress); },
     [this, isBuilt, isAsked]
@@ -376,29 +428,77 @@ void Workbench::SaveSession(const std::string& path)
 // Without a path it is counted up, without a size it is that of the view, as often as chosen.
 void Workbench::SavePicture(const std::string& path, int width, int height)
 {
-  if (this->Builds)
+  if (this->IsBusy())
   {
-    throw UserError("The isomap is being built; wait for it, or stop it with Escape.");
+    throw UserError(this->What + ": wait for it, or stop it with Escape.");
   }
   const int scale = std::stoi(this->Data.Settings().TextOf(Row::Scale));
   const int* size = this->Data.View.Renderer->GetSize();
-  const bool isAsSeen = width == 0 && scale == 1;
-  this->Render();
-  const vtkSmartPointer<vtkImageData> picture = isAsSeen
-    ? this->Data.View.LastFrame()
-    : this->Data.View.Picture(
-        width > 0 ? width : scale * size[0], width > 0 ? height : scale * size[1]);
-  if (!path.empty())
+  width = width > 0 ? width : scale * size[0];
+  height = height > 0 ? height : scale * size[1];
+  const auto picture = std::make_shared<vtkSmartPointer<vtkImageData>>();
+  this->StartOnView(
+    "Making the picture",
+    [=](const Progress& progress) { *picture = this->Data.View.Picture(width, height, progress); },
+    [=]
+    {
+      if (!path.empty())
+      {
+        WritePng(*picture, path, "name another file");
+      }
+      this->Say("Saved " + (path.empty() ? this->Output.Save(*picture) : path));
+    });
+}
+
+void Workbench::MakeFilm(Motion motion, int frames, int width, int height)
+{
+  if (this->IsBusy())
   {
-    WritePng(picture, path, "name another file");
+    throw UserError(this->What + ": wait for it, or stop it with Escape.");
   }
-  this->Say("Saved " + (path.empty() ? this->Output.Save(picture) : path));
+  const auto film = std::make_shared<Recorder>(this->Output.Directory);
+  film->Start(this->Data.Settings().TextOf(Row::Film));
+  const CameraState camera = this->Data.View.Camera();
+  // Of what the thread changes, nothing else is seen: Finish() applies the settings again.
+  const auto job = [=, look = this->Data.Settings(), marker = this->Selected()](
+                     const Progress& progress) mutable
+  {
+    VolumeView& view = this->Data.View;
+    try
+    {
+      for (int frame = 0; frame < frames && !this->IsStopped; ++frame)
+      {
+        if (motion == Sweep)
+        {
+          this->Data.MarkersOf(look)[marker].Value = this->Data.ValueAt((frame + 0.5) / frames);
+          view.Apply(look);
+        }
+        film->Add(view.Picture(
+          width, height, [&](double share) { return progress((frame + share) / frames); }));
+        if (motion == TurnAround)
+        {
+          view.Renderer->GetActiveCamera()->Azimuth(360.0 / frames);
+        }
+      }
+    }
+    catch (const UserError&)
+    {
+      view.SetCamera(camera);
+      if (!this->IsStopped) // else the pictures before are the film
+      {
+        throw;
+      }
+    }
+    view.SetCamera(camera);
+  };
+  this->StartOnView("Making a film", job, [=] { this->Say(film->Stop()); });
 }
 
 void Workbench::ToggleRecording()
 {
   if (this->Output.IsRecording())
   {
+    this->RecordSeen();
     this->Say(this->Output.Stop());
   }
   else

@@ -6,7 +6,11 @@
 #include "Model/Model.h"
 #include "Work/Recorder.h"
 
+#include <vtkNew.h>
+#include <vtkTemporalCoherenceRefiner.h>
+
 #include <QObject>
+#include <QPoint>
 #include <QTimer>
 #include <QUndoStack>
 
@@ -62,12 +66,18 @@ public:
   void Cancel() { this->IsStopped = true; }
   bool IsBusy() const { return this->Thread.joinable(); }
   const std::string& Doing() const { return this->What; } // what takes long, for people
-  bool IsBuilding() const { return this->Builds; }        // an isomap: the view stands still
+  bool IsBuilding() const { return this->Builds; } // or making pictures: the view stands still
 
-  // These three throw UserError.
+  // These throw UserError. Pictures are final, which may take long.
   void SaveSession(const std::string& path);
   void SavePicture(const std::string& path = "", int width = 0, int height = 0);
-  void ToggleRecording();
+  enum Motion
+  {
+    TurnAround,
+    Sweep // of the selected isovalue
+  };
+  void MakeFilm(Motion motion, int frames, int width, int height);
+  void ToggleRecording(); // of frames as they are seen
   void Say(const std::string& sentence, bool isWarning = false);
   void Try(const std::function<void()>& action); // tells of what is thrown
 
@@ -87,6 +97,7 @@ public:
   Model Data;
   QUndoStack Changes;
   Recorder Output;
+  vtkNew<vtkTemporalCoherenceRefiner> Refiner;       // of the window
   std::string SessionFile;                           // to save to and to restore from
   std::function<void(const std::string&)> OnRefused; // while set, it is told of what fails
 
@@ -96,12 +107,14 @@ signals:
   void Settled();                // the same, soon and less often: most panels need no more
   void FrameDrawn(double ms);    // of the window
   void Progressed(double share);
+  void Refined(double share); // of the picture, as far as it will get; 1: it is final
   void Said(const QString& sentence, bool isWarning);
 
 private:
   double& NumberOf(const Setting& number, Look& look);
   using Job = std::function<void(const Progress&)>;
   void Start(const std::string& what, const Job& job, const std::function<void()>& done);
+  void StartOnView(const std::string& what, const Job& job, const std::function<void()>& done);
   void Finish(std::packaged_task<void()>& task, const std::function<void()>& done);
   void Load(Request request);
   void Take(Request& loaded);
@@ -109,6 +122,9 @@ private:
   void OnMessage(vtkObject*, unsigned long, void* text);
   void OnFrameBegin();
   void OnFrameEnd();
+  void OnRefined();
+  void OnAbortCheck();
+  void RecordSeen();
 
   vtkRenderWindow* Window = nullptr;
   QTimer Settling, Rendering;
@@ -120,6 +136,8 @@ private:
   int Gesture = 0;
   std::size_t SelectedMarker = 0;
   double FrameBegan = 0.0;
+  QPoint Pointer;                     // where it was when the frame began
+  vtkSmartPointer<vtkImageData> Seen; // and is to be recorded, unless it gets better
 };
 
 #endif

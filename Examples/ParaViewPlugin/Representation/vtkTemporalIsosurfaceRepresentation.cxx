@@ -25,6 +25,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTemporalCoherenceRefiner.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 #include "vtkTemporalIsosurfaceActor.h"
 #include "vtkTextActor.h"
@@ -183,6 +184,7 @@ bool vtkTemporalIsosurfaceRepresentation::AddToView(vtkView* view)
   if (renderView)
   {
     renderView->GetNonCompositedRenderer()->AddActor(this->StatisticsText);
+    this->Refiner->SetRenderWindow(renderView->GetRenderWindow());
   }
   return this->Superclass::AddToView(view);
 }
@@ -194,6 +196,7 @@ bool vtkTemporalIsosurfaceRepresentation::RemoveFromView(vtkView* view)
   if (renderView)
   {
     renderView->GetNonCompositedRenderer()->RemoveActor(this->StatisticsText);
+    this->Refiner->SetRenderWindow(nullptr);
   }
   return this->Superclass::RemoveFromView(view);
 }

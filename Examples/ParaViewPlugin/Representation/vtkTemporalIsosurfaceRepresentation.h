@@ -30,6 +30,7 @@ class vtkColorTransferFunction;
 class vtkDoubleArray;
 class vtkIdTypeArray;
 class vtkPiecewiseFunction;
+class vtkTemporalCoherenceRefiner;
 class vtkTemporalCoherenceVolumeMapper;
 class vtkTextActor;
 struct ArrayChoice;
@@ -87,6 +88,9 @@ public:
    * See vtkTemporalCoherenceVolumeMapper.
    */
   void SetSurfaceMode(int mode);
+  void SetAmbientOcclusion(bool on);
+  void SetAmbientOcclusionRadius(double radius);
+  void SetAmbientOcclusionStrength(double strength);
   void SetReuseAccuracy(int accuracy);
   void SetReuseFrames(bool on);
   void SetIsomap(bool on);
@@ -109,11 +113,12 @@ public:
 
   ///@{
   /**
-   * The last frame of this process: its route, the milliseconds it took, its counters, and the
-   * bytes of the isomap that is kept.
+   * The last frame of this process: its route, the milliseconds it took, how far its light is, its
+   * counters, and the bytes of the isomap that is kept.
    */
   const char* GetRoute();
   double GetFrameMilliseconds();
+  double GetFrameProgress();
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfTracedRays();
   vtkIdType GetNumberOfDefiniteHits();
@@ -183,6 +188,7 @@ private:
   std::string LastMessage; ///< reported already
   bool ShowStatistics = false;
   vtkNew<vtkTextActor> StatisticsText;
+  vtkNew<vtkTemporalCoherenceRefiner> Refiner; ///< of the view's window
   vtkNew<vtkIdTypeArray> RouteCounts;
   vtkNew<vtkDoubleArray> ShownIsovalues;
   vtkNew<vtkDoubleArray> ScalarRange;

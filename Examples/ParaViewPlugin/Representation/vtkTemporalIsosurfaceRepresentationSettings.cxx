@@ -149,6 +149,24 @@ void vtkTemporalIsosurfaceRepresentation::SetSurfaceMode(int mode)
 }
 
 //------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetAmbientOcclusion(bool on)
+{
+  this->GetMapper()->SetAmbientOcclusion(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetAmbientOcclusionRadius(double radius)
+{
+  this->GetMapper()->SetAmbientOcclusionRadius(radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetAmbientOcclusionStrength(double strength)
+{
+  this->GetMapper()->SetAmbientOcclusionStrength(strength);
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalIsosurfaceRepresentation::SetReuseAccuracy(int accuracy)
 {
   this->GetMapper()->SetReuseAccuracy(accuracy);
@@ -220,6 +238,12 @@ const char* vtkTemporalIsosurfaceRepresentation::GetRoute()
 double vtkTemporalIsosurfaceRepresentation::GetFrameMilliseconds()
 {
   return 1000.0 * this->GetMapper()->GetStatistics()->GetFrameTime();
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalIsosurfaceRepresentation::GetFrameProgress()
+{
+  return this->GetMapper()->GetFrameProgress();
 }
 
 //------------------------------------------------------------------------------

@@ -96,6 +96,8 @@ def isosurface(
     specular: float = 0.0,
     specular_power: float = 100.0,
     smooth_shading: bool = False,
+    ambient_occlusion: bool | float = False,
+    occlusion_radius: float | None = None,
     solid: bool = False,
 ) -> IsosurfaceVolume:
     """Make a volume that shows isosurfaces of a grid, for PyVista's plotters and VTK's renderers.
@@ -121,6 +123,11 @@ def isosurface(
     ambient, diffuse, specular, specular_power
                     the parts of light
     smooth_shading  average normals at the points of a mesh. Those of images are always smooth
+    ambient_occlusion
+                    True: hollows are darker, so that depth shows; or how much, from 0 to 1. In a
+                    window, vtkTemporalCoherenceRefiner renders until that is final
+    occlusion_radius
+                    how far surfaces keep light away. None: an eighth of the longest edge
     solid           True: draw all that is at least the value as a solid, closed where the grid ends
 
     The grid is not copied. Arrays of cells are averaged at the points. PyVista itself is not needed.
@@ -144,6 +151,7 @@ def isosurface(
     is_vector = _choose_component(mapper, grid, name, place, component)
     mapper.SetSmoothMeshNormals(smooth_shading)
     mapper.SetSurfaceMode(mapper.THRESHOLD if solid else mapper.CROSSING)
+    _set_occlusion(mapper, ambient_occlusion, occlusion_radius)
 
     volume = IsosurfaceVolume()
     volume.SetMapper(mapper)
@@ -164,6 +172,23 @@ def isosurface(
         volume._color_of = _color_map(cmap, volume._clim)
     volume.values = values
     return volume
+
+
+def _set_occlusion(
+    mapper: vtkTemporalCoherenceVolumeMapper, strength: bool | float, radius: float | None
+) -> None:
+    try:
+        strength, radius = float(strength), 0.0 if radius is None else float(radius)
+    except (TypeError, ValueError):
+        strength = math.nan
+    if not (0.0 <= strength <= 1.0 and 0.0 <= radius < math.inf):
+        raise ValueError(
+            f"ambient_occlusion must be True, False or a number from 0 to 1, and occlusion_radius a "
+            f"length or None, not {strength!r} and {radius!r}.")
+    mapper.SetAmbientOcclusion(strength > 0.0)
+    if strength > 0.0:
+        mapper.SetAmbientOcclusionStrength(strength)
+        mapper.SetAmbientOcclusionRadius(radius)
 
 
 def _check_grid(grid: Any) -> None:

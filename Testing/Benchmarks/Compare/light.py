@@ -35,6 +35,7 @@ class Picture:
         self.mapper = vtkTemporalCoherenceVolumeMapper()
         self.mapper.SetInputData(image)
         self.mapper.SetBlendModeToIsoSurface()
+        self.mapper.ProgressiveImagesOn()
         self.is_occluded = is_occluded
         self.volume = vtkVolume()
         self.volume.SetMapper(self.mapper)

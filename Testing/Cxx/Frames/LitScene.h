@@ -33,18 +33,15 @@ struct LitScene : Scene
     white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
     property->SetColor(white);
     this->Mapper->AmbientOcclusionOn();
+    this->Mapper->ProgressiveImagesOn(); // as frames of a window
   }
 
-  /// Render until the light is final. Each frame has as many rays as a frame may have.
+  /// Render the final light in one call.
   void RenderFinal(int width, int height)
   {
-    this->Mapper->SetAmbientOcclusionRays(64);
-    int frames = 0;
-    do
-    {
-      Expect(this->Render(width, height), "rendered");
-    } while (!this->Mapper->GetFrameIsFinal() && ++frames < 10);
-    Expect(this->Mapper->GetFrameIsFinal(), "the light is final");
+    this->Mapper->ProgressiveImagesOff();
+    Expect(this->Render(width, height) && this->Mapper->GetFrameIsFinal(), "the light is final");
+    this->Mapper->ProgressiveImagesOn();
   }
 
   /// The share of the light that arrives at a pixel.

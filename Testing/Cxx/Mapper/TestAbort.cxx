@@ -135,6 +135,7 @@ std::vector<Step> Steps()
         stage.SetIsovalues({ -300.0 });
       } },
     { "IsomapLookup", [](Stage& stage) { stage.SetIsovalues({ -298.0 }); } },
+    { "Reshade", [](Stage& stage) { stage.Volume->GetProperty()->SetAmbient(0.3); } },
     { "Cold",
       [](Stage& stage)
       {

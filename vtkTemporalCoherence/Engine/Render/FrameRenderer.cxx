@@ -52,7 +52,8 @@ bool FrameRenderer::Render(
     this->Finish(route, task);
     if (light)
     {
-      statistics.IsFinal = light->IsFinal();
+      statistics.Progress = light->Progress();
+      statistics.IsFinal = statistics.Progress >= 1.0;
       this->Light->Add(light->Found(), options.Light.MemoryLimit);
     }
   }
@@ -81,13 +82,14 @@ std::unique_ptr<SurfaceLight> FrameRenderer::BeginLight(const FrameTask& task, R
     task.Structures.PrepareActiveCells(key);
   }
   const glm::dvec2 finite = task.Structures.Pyramid().FiniteRange();
-  const bool isStill =
-    route == Route::Reshade && !CompareFrames(task.Store.Last().Key, key).Appearance;
   const LightOptions& options = task.Options.Light;
+  const bool isStill = options.AtOnce ||
+    (route == Route::Reshade && !CompareFrames(task.Store.Last().Key, key).Appearance);
+  const std::uint32_t raysWhenStill = options.AtOnce ? options.Rays : options.RaysWhenStill;
   return std::make_unique<SurfaceLight>(key, KindOf(key.Samples), finite,
     MakeSurfaceTracer({ key.Samples, key.Isosurfaces(), finite,
       task.Structures.SpaceToLeap(leaps).Active, false, Traversal::Walks }),
-    *this->Light, isStill ? options.RaysWhenStill : options.RaysOfFrame, options.Rays, !isStill);
+    *this->Light, isStill ? raysWhenStill : options.RaysOfFrame, options.Rays, !isStill);
 }
 
 /// Take a route. If the route proves impossible, take the next best and update `route`.
@@ -104,8 +106,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       ShowAgain(task);
       return true;
     case Route::Reshade:
-      ShadeAgain(task);
-      return true;
+      return ShadeAgain(task);
     case Route::IsomapLookup:
       return this->LookUpIsomap(route, task);
     case Route::IsomapBuild:

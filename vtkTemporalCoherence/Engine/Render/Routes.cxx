@@ -4,12 +4,13 @@
 
 #include "ImageCache/PaperHint.h"
 #include "Render/RouteSteps.h"
+#include "Render/SavedColors.h"
 #include "Scene/Timers.h"
 #include "Shade/TileShader.h"
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace TemporalCoherence
@@ -97,34 +98,51 @@ void ShowAgain(FrameTask& task)
   CountKnownHits(task, task.Store.Last().Picture);
 }
 
-void ShadeAgain(FrameTask& task)
+bool ShadeAgain(FrameTask& task)
 {
   CachedImage& last = task.Store.LastToRecolor();
-  TraceCounts sum;
+  Frame& picture = last.Picture;
+  FrameStatistics counted;
   {
     Stopwatch watch(task.Statistics.ShadeTime);
     FrameKey key = task.Key;
     const TileShader shader(
-      ShadeSceneOf(task, SpaceOfMerged(task, last.Picture)), HitSet::None, HitSet::All);
-    last.Key = std::move(key); // nothing from here on allocates
-    std::mutex guard;
-    ParallelForRanges(NumberOfTiles(last.Picture.Size), TileGrain,
-      [&](std::int64_t begin, std::int64_t end)
+      ShadeSceneOf(task, SpaceOfMerged(task, picture)), HitSet::None, HitSet::All);
+    // Without a report nothing from here on can stop the frame.
+    std::optional<SavedColors> saved;
+    if (task.Report)
+    {
+      saved.emplace(picture);
+    }
+    const auto shade = [&](std::size_t group, TraceCounts& counts)
+    {
+      const TileRange tiles = TilesOfGroup(picture.Size, group);
+      for (std::int64_t tile = tiles.First; tile < tiles.End; ++tile)
       {
-        TraceCounts counts;
-        for (std::int64_t tile = begin; tile < end; ++tile)
+        const PixelRect part = PixelsOfTile(picture.Size, tile);
+        if (saved)
         {
-          shader.Shade(tile, PixelsOfTile(last.Picture.Size, tile), nullptr, last.Picture, counts);
+          saved->Save(tile, part);
         }
-        const std::lock_guard<std::mutex> lock(guard);
-        sum += counts;
-      });
+        shader.Shade(tile, part, nullptr, picture, counts);
+      }
+    };
+    if (!CountGroups(picture.Size, task.Report, counted, shade))
+    {
+      return false;
+    }
+    last.Key = std::move(key);
+    if (saved)
+    {
+      saved->Drop();
+    }
   }
-  task.Statistics.TracedRays = sum.TracedRays;
-  task.Statistics.FieldSamples = 8 * sum.CellsRead;
-  task.Statistics.Layers = sum.Layers;
-  task.Statistics.MergedLayers = sum.MergedLayers;
-  CountKnownHits(task, task.Store.Last().Picture);
+  task.Statistics.TracedRays = counted.TracedRays;
+  task.Statistics.FieldSamples = counted.FieldSamples;
+  task.Statistics.Layers = counted.Layers;
+  task.Statistics.MergedLayers = counted.MergedLayers;
+  CountKnownHits(task, picture);
+  return true;
 }
 
 bool TraceCold(FrameTask& task)

@@ -35,8 +35,9 @@ struct FrameTask
 /// Redisplay: show the last frame again.
 void ShowAgain(FrameTask& task);
 
-/// Reshade: all hits are known; only their colours change. Merged layers are traced again.
-void ShadeAgain(FrameTask& task);
+/// Reshade: all hits are known; only their colours change. Merged layers are traced again. If the
+/// report stops it, the last frame gets its colours back.
+bool ShadeAgain(FrameTask& task);
 
 /// Cold: every ray is traced.
 bool TraceCold(FrameTask& task);

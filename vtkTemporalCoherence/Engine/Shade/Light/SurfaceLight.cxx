@@ -16,6 +16,13 @@
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+/// Before a patch has this many rays, their mean tells nothing about how certain it is.
+constexpr std::uint32_t FewestRays = 256;
+
+}
 
 SurfaceLight::SurfaceLight(const FrameKey& key, const FieldNormals& normals,
   const glm::dvec2& finiteRange, std::shared_ptr<const SurfaceTracer> tracer,
@@ -179,7 +186,8 @@ std::int64_t SurfaceLight::Find(
   }
   if (!hasRoom)
   {
-    this->Missing += static_cast<std::int64_t>(hits.Rays.Count); // a later frame may find the light
+    // A later frame may find the light.
+    this->Wanted += static_cast<std::int64_t>(hits.Rays.Count) * this->RaysInAll;
     return 0;
   }
   std::int64_t cells = 0;
@@ -210,15 +218,14 @@ std::int64_t SurfaceLight::Find(
 /// their mean is certain sooner.
 std::uint32_t SurfaceLight::RaysNeeded(std::uint32_t rays, std::uint32_t light) const
 {
-  constexpr std::uint32_t least = 256;
-  if (rays < least)
+  if (rays < FewestRays)
   {
     return this->RaysInAll;
   }
   const double share = static_cast<double>(light) / (static_cast<double>(rays) * LightSum::Whole);
   const double spread = 8.0 * share * (1.0 - share);
   return std::min(
-    std::max(least, static_cast<std::uint32_t>(spread * this->RaysInAll)), this->RaysInAll);
+    std::max(FewestRays, static_cast<std::uint32_t>(spread * this->RaysInAll)), this->RaysInAll);
 }
 
 /// Find the light from a source: what is kept of it, and what new rays find.
@@ -284,7 +291,8 @@ SurfaceLight::Way SurfaceLight::WayTo(const Source& source, const HitList& hits,
   return { way / length, light.Positional ? length : std::numeric_limits<double>::infinity() };
 }
 
-/// Trace the rays of hits: the first rays of all hits, then their second rays, and so on.
+/// Trace the rays of hits: the first rays of all hits, then their second rays, and so on. A patch
+/// sends no more rays than it needs.
 std::int64_t SurfaceLight::Trace(const HitList& hits, const Senders& senders, const Source& source,
   const RayBatch::Array<LightCache::Known>& known, LightCache::Found* found) const
 {
@@ -294,16 +302,27 @@ std::int64_t SurfaceLight::Trace(const HitList& hits, const Senders& senders, co
       found[sender].Light +=
         static_cast<std::uint32_t>(passed * static_cast<float>(LightSum::Whole) + 0.5f);
     });
-  for (std::uint32_t ray = 0; ray < this->RaysOfFrame; ++ray)
+  for (std::uint32_t begin = 0; begin < this->RaysOfFrame; begin += FewestRays)
   {
+    const std::uint32_t end = std::min(begin + FewestRays, this->RaysOfFrame);
+    for (std::uint32_t ray = begin; ray < end; ++ray)
+    {
+      for (std::size_t k = 0; k < senders.Count; ++k)
+      {
+        if (ray < found[k].Rays)
+        {
+          const Way way =
+            this->WayTo(source, hits, senders.Hit[k], found[k].Place, known[k].Own.Rays() + ray);
+          batches.Append(hits.Rays.PointAt(senders.Hit[k]), way.Direction, way.Length, k);
+        }
+      }
+    }
+    batches.Finish();
     for (std::size_t k = 0; k < senders.Count; ++k)
     {
-      if (ray < found[k].Rays)
-      {
-        const Way way =
-          this->WayTo(source, hits, senders.Hit[k], found[k].Place, known[k].Own.Rays() + ray);
-        batches.Append(hits.Rays.PointAt(senders.Hit[k]), way.Direction, way.Length, k);
-      }
+      const std::uint32_t rays = known[k].Own.Rays() + end;
+      const bool isDone = rays >= this->RaysNeeded(rays, known[k].Own.Light() + found[k].Light);
+      found[k].Rays = isDone ? std::min(found[k].Rays, end) : found[k].Rays;
     }
   }
   return batches.Finish();
@@ -314,14 +333,15 @@ void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::K
   const LightCache::Found* found, bool areTogether, RayBatch::Array<float>& shares)
 {
   TileSums sums;
-  std::int64_t missing = 0;
+  std::int64_t sum = 0, wanted = 0;
   bool areFew = false;
   for (std::size_t k = 0; k < count; ++k)
   {
     const std::uint32_t rays = known[k].Own.Rays() + found[k].Rays;
     areFew |= rays + known[k].Larger[1].Rays() < LightCache::FewRays;
-    missing += known[k].Own.Rays() + found[k].Rays <
-      this->RaysNeeded(known[k].Own.Rays() + found[k].Rays, known[k].Own.Light() + found[k].Light);
+    const std::uint32_t needed = this->RaysNeeded(rays, known[k].Own.Light() + found[k].Light);
+    wanted += needed;
+    sum += std::min(rays, needed);
   }
   const bool pools = areTogether && areFew;
   for (std::size_t k = 0; pools && k < count; ++k)
@@ -352,7 +372,8 @@ void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::K
     }
     shares[k] = static_cast<float>(estimate.Share());
   }
-  this->Missing += missing;
+  this->Wanted += wanted;
+  this->Known += sum;
 }
 
 /// The patch of a hit.

@@ -22,6 +22,7 @@ struct LightOptions
   std::uint32_t RaysOfFrame = 1;    ///< from one of each four pixels, in turn
   std::uint32_t RaysWhenStill = 32; ///< from each pixel, if the view and all else stay
   std::uint32_t Rays = 1024; ///< in all frames together, at most 4095; then the light is final
+  bool AtOnce = false;       ///< all rays in one frame: its light is final
   std::size_t MemoryLimit = std::size_t(256) << 20; ///< bytes of kept light
 };
 
@@ -42,8 +43,12 @@ public:
   /// \return cells read
   std::int64_t Find(std::int64_t tile, const HitList& hits, bool isTile, ArrivingLight& arriving);
 
-  /// True if no hit needs more rays.
-  bool IsFinal() const { return this->Missing.load() == 0; }
+  /// The share of the rays of all hits that is known, from 0 to 1. 1: no hit needs more rays.
+  double Progress() const
+  {
+    const auto wanted = static_cast<double>(this->Wanted.load());
+    return wanted > 0.0 ? static_cast<double>(this->Known.load()) / wanted : 1.0;
+  }
 
   const std::vector<std::vector<LightCache::Found>>& Found() const { return this->OfTiles; }
 
@@ -90,7 +95,7 @@ private:
   glm::mat3 NormalFromWorld;   ///< to the axes of the data
   glm::dvec3 Edges;            ///< of a cell of index space, in the world
   std::vector<std::vector<LightCache::Found>> OfTiles;
-  std::atomic<std::int64_t> Missing{ 0 }; ///< hits that need more rays
+  std::atomic<std::int64_t> Wanted{ 0 }, Known{ 0 }; ///< rays of all hits
 };
 
 }

@@ -11,6 +11,8 @@
 #include <QProgressBar>
 #include <QSlider>
 
+#include <set>
+
 // Opening comes back at once; what is read is seen when the event loop has run.
 void ExplorerTests::TheWindowAnswersWhileReading()
 {
@@ -61,12 +63,15 @@ void ExplorerTests::TheWindowAnswersWhileAnIsomapIsBuilt()
 
 void ExplorerTests::SettingsWaitForTheIsomap()
 {
+  std::set<std::string> routes; // the window may be drawn again when the bar goes
+  QObject::connect(this->Bench.get(), &Workbench::FrameDrawn, this->Window.get(),
+    [&] { routes.insert(this->Bench->Data.View.Mapper->GetStatistics()->GetRouteAsString()); });
   this->Bench->BuildIsomap();
   this->Bench->Edit("isovalue", [](Look& look) { look.Surfaces[0].Value = 77.0; });
   QCOMPARE(*this->Bench->Data.State().Isovalue, 77.0);
   QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
-  QCOMPARE(std::string(this->Bench->Data.View.Mapper->GetStatistics()->GetRouteAsString()),
-    std::string("IsomapLookup"));
+  QVERIFY(routes.count("IsomapLookup") == 1);
+  this->cleanup(); // nothing is to hear of frames any more
 }
 
 void ExplorerTests::ChangesAreUndone()

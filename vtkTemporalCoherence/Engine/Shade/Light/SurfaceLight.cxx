@@ -341,7 +341,8 @@ void SurfaceLight::Gather(std::size_t count, const RayBatch::Array<LightCache::K
     areFew |= rays + known[k].Larger[1].Rays() < LightCache::FewRays;
     const std::uint32_t needed = this->RaysNeeded(rays, known[k].Own.Light() + found[k].Light);
     wanted += needed;
-    sum += std::min(rays, needed);
+    // A still frame has smaller patches, and finds their light anew.
+    sum += this->SharesPixels ? 0 : std::min(rays, needed);
   }
   const bool pools = areTogether && areFew;
   for (std::size_t k = 0; pools && k < count; ++k)

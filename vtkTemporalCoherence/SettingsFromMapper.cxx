@@ -51,8 +51,12 @@ PictureSettings SettingsOf(Mapper* mapper)
   return settings;
 }
 
-FrameRenderer::Options OptionsOf(Mapper* mapper)
+FrameRenderer::Options OptionsOf(Mapper* mapper, bool isForImage)
 {
+  static_assert(static_cast<int>(Antialiasing::Off) == Mapper::ANTIALIASING_OFF &&
+      static_cast<int>(Antialiasing::WhenStill) == Mapper::ANTIALIASING_WHEN_STILL &&
+      static_cast<int>(Antialiasing::Always) == Mapper::ANTIALIASING_ALWAYS,
+    "AntialiasingModes tells the same as Antialiasing");
   FrameRenderer::Options options;
   options.SpaceLeaping = mapper->GetSpaceLeaping() != 0;
   options.Reuse.Frames = mapper->GetReuseFrames() != 0;
@@ -68,6 +72,9 @@ FrameRenderer::Options OptionsOf(Mapper* mapper)
   options.Images.NumberOfImages = mapper->GetNumberOfCachedImages();
   options.Light.RaysOfFrame = static_cast<std::uint32_t>(mapper->GetAmbientOcclusionRays());
   options.Light.RaysWhenStill = 32 * options.Light.RaysOfFrame;
+  const auto when = static_cast<Antialiasing>(mapper->GetAntialiasing());
+  const bool isAtOnce = isForImage && !mapper->GetProgressiveImages();
+  options.Antialias = when == Antialiasing::WhenStill && isAtOnce ? Antialiasing::Always : when;
   options.Map.Range = { mapper->GetIsomapRange()[0], mapper->GetIsomapRange()[1] };
   options.Map.Tolerance = mapper->GetIsomapTolerance();
   options.Map.HasNormals = mapper->GetIsomapShading() == Mapper::INTERPOLATE;

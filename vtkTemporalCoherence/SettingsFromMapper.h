@@ -18,7 +18,8 @@ namespace TemporalCoherence
 PictureSettings SettingsOf(vtkTemporalCoherenceVolumeMapper* mapper);
 
 /// Read the mapper's options for making frames. ReportsTiles stays false.
-FrameRenderer::Options OptionsOf(vtkTemporalCoherenceVolumeMapper* mapper);
+/// \param isForImage the frame is for an image, not for a window
+FrameRenderer::Options OptionsOf(vtkTemporalCoherenceVolumeMapper* mapper, bool isForImage);
 
 }
 

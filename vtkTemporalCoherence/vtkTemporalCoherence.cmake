@@ -114,8 +114,10 @@ set(engine_files
   Kinds/MeshKind
   Kinds/RectilinearKind
   Kinds/UniformKind
+  Render/Antialias
   Render/BlendRoute
   Render/CapTiles
+  Render/EdgePixels
   Render/FrameRenderer
   Render/FrameStore
   Render/FrameStructures
@@ -126,6 +128,7 @@ set(engine_files
   Render/Routes
   Render/SampleDistance
   Render/SavedColors
+  Render/SurfaceColors
   Render/TileTracer)
 set(volume_files
   Volumes/Medium/KernelsEmission

@@ -5,6 +5,7 @@
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTemporalCoherenceVolume);
@@ -19,7 +20,15 @@ int vtkTemporalCoherenceVolume::RenderOpaqueGeometry(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkTemporalCoherenceVolume::RenderVolumetricGeometry(vtkViewport* viewport)
 {
-  return this->HasOpaqueGeometry() ? 0 : this->Superclass::RenderVolumetricGeometry(viewport);
+  if (!this->HasOpaqueGeometry())
+  {
+    return this->Superclass::RenderVolumetricGeometry(viewport);
+  }
+  if (auto* renderer = vtkRenderer::SafeDownCast(viewport))
+  {
+    vtkTemporalCoherenceVolumeMapper::SafeDownCast(this->Mapper)->RenderEdges(renderer, this);
+  }
+  return 0;
 }
 
 //------------------------------------------------------------------------------

@@ -12,7 +12,8 @@
  * This prop draws in the opaque pass if its mapper is a vtkTemporalCoherenceVolumeMapper and all
  * isosurfaces are opaque: each has a scalar opacity of 1 (or of 0, which leaves it out), and the
  * property has no gradient opacity. Otherwise, and with any other mapper, it draws as vtkVolume
- * does. It can replace any vtkVolume.
+ * does. It can replace any vtkVolume. Antialiased edges are drawn in the volumetric pass, so that
+ * they blend over all opaque props.
  *
  * With vtkSSAOPass, the isosurfaces occlude and are occluded as polygons are. With
  * vtkShadowMapPass, they cast shadows but receive none, because they are lit before that pass.

@@ -6,6 +6,7 @@
 #include "Scene/Timers.h"
 #include "SettingsFromMapper.h"
 #include "Window/PeelingPass.h"
+#include "vtkTemporalCoherenceVolume.h"
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
 #include "vtkCommand.h"
@@ -43,6 +44,14 @@ TemporalCoherence::FrameSight FinestSight(
   const double finest = TemporalCoherence::FinestDistance(size);
   return { renderer, TemporalCoherence::RaysFor(size, std::max<double>(distance, finest)),
     renderer->GetTiledAspectRatio() };
+}
+
+/// True if a prop is drawn in the opaque pass, and again in a volumetric pass behind it.
+bool DrawsEdgesLater(vtkRenderer* renderer, vtkVolume* volume)
+{
+  return vtkTemporalCoherenceVolume::SafeDownCast(volume) && volume->HasOpaqueGeometry() &&
+    !renderer->GetSelector() && !renderer->GetPass() &&
+    !(renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes());
 }
 
 }
@@ -130,7 +139,9 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
       if (!this->GetRenderToImage())
       {
         // After an error this shows the last valid picture again.
-        this->Internal->Frames.Present(renderer, volume, size, this->GetInput(), error);
+        const bool areLater = DrawsEdgesLater(renderer, volume);
+        this->Internal->Frames.Present(renderer, volume, size, this->GetInput(), error,
+          areLater ? TemporalCoherence::PicturePart::Inside : TemporalCoherence::PicturePart::All);
       }
       if (isMade && error == lastError)
       {
@@ -145,6 +156,18 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
   if (isMade)
   {
     this->Internal->TellProgress(progress, renderer->GetRenderWindow());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::RenderEdges(vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (!this->GetRenderToImage() && DrawsEdgesLater(renderer, volume))
+  {
+    std::string error;
+    this->Internal->Frames.Present(renderer, volume, TemporalCoherence::PictureSizeOf(renderer),
+      this->GetInput(), error, TemporalCoherence::PicturePart::Edges);
+    this->Internal->ReportOnce(error);
   }
 }
 
@@ -221,7 +244,7 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
   {
     const Internals::Busy busy(internal);
     outcome = internal.Frames.BuildIsomap(TemporalCoherence::Viewer::Of(renderer, volume), request,
-      TemporalCoherence::OptionsOf(this), progress.OfRest(), error);
+      TemporalCoherence::OptionsOf(this, false), progress.OfRest(), error);
     if (error.empty())
     {
       internal.WarnOfIsomapLimit(outcome == Outcome::TooLarge);

@@ -151,9 +151,32 @@ public:
   vtkGetMacro(LightRadius, double);
   //@}
 
+  enum AntialiasingModes
+  {
+    ANTIALIASING_OFF,        ///< one ray a pixel
+    ANTIALIASING_WHEN_STILL, ///< in a window, the second frame of a picture that does not change
+    ANTIALIASING_ALWAYS      ///< every frame
+  };
+
   //@{
   /**
-   * Get whether the last frame is final: false if rendering it again would make its light better.
+   * Set/Get when pictures are antialiased: pixels whose neighbours differ get 4 to 16 rays, and
+   * show their mean. Its alpha is the share that is covered, so edges blend over other props.
+   * Depths, normals and picks stay those of the centres of pixels. By default this is done when a
+   * picture is still, so nothing gets slower while the camera turns. MakeImage and RenderToImage
+   * antialias at once unless ProgressiveImages is on.
+   */
+  vtkSetClampMacro(Antialiasing, int, ANTIALIASING_OFF, ANTIALIASING_ALWAYS);
+  vtkGetMacro(Antialiasing, int);
+  void SetAntialiasingToOff() { this->SetAntialiasing(ANTIALIASING_OFF); }
+  void SetAntialiasingToWhenStill() { this->SetAntialiasing(ANTIALIASING_WHEN_STILL); }
+  void SetAntialiasingToAlways() { this->SetAntialiasing(ANTIALIASING_ALWAYS); }
+  //@}
+
+  //@{
+  /**
+   * Get whether the last frame is final: false if rendering it again would make its light
+   * or its edges better.
    * GetFrameProgress() is the share of the light's rays that is known, 1 if the frame is final.
    * vtkTemporalCoherenceRefiner renders a window until its frames are final.
    */
@@ -378,7 +401,8 @@ public:
     ROUTE_IMAGE_CACHE = 6, ///< the view changed (PAPER): rays start from a cached image
     ROUTE_TIME_STEP,       ///< samples changed: pixels that no changed sample affects are copied
     ROUTE_RECOMPOSITE,     ///< only opacities changed: known layers are composited again
-    ROUTE_KEEP_VALUES = 10 ///< only colours of a projection changed: known values are coloured
+    ROUTE_KEEP_VALUES = 10, ///< only colours of a projection changed: known values are coloured
+    ROUTE_ANTIALIAS         ///< nothing changed: pixels at edges get more rays
   };
 
   /** The work of the last frame to set up its mesh. */
@@ -474,6 +498,13 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   //@}
 
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * Draw what the last Render() of a vtkTemporalCoherenceVolume left out in the opaque pass: pixels
+   * at edges, which are blended over opaque props.
+   */
+  void RenderEdges(vtkRenderer* renderer, vtkVolume* volume);
+
 protected:
   vtkTemporalCoherenceVolumeMapper();
   ~vtkTemporalCoherenceVolumeMapper() override;
@@ -495,6 +526,7 @@ private:
   int AmbientOcclusionRays = 1;
   vtkTypeBool Shadows = 0;
   double LightRadius = 0.0;
+  int Antialiasing = ANTIALIASING_WHEN_STILL;
   vtkTypeBool ProgressiveImages = 0;
   vtkTypeBool ReuseFrames = 1;
   int NumberOfCachedImages = 1;

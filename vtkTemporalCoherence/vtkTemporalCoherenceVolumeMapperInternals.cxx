@@ -91,7 +91,8 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
     return false;
   }
 
-  TemporalCoherence::FrameRenderer::Options options = TemporalCoherence::OptionsOf(this->Self);
+  TemporalCoherence::FrameRenderer::Options options =
+    TemporalCoherence::OptionsOf(this->Self, !window || this->Self->GetRenderToImage());
   options.ReportsTiles = IsHeard(*this->Self, window);
   options.Light.AtOnce = !window && !this->Self->ProgressiveImages;
   bool isMade = false;

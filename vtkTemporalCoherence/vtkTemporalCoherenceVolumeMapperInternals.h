@@ -179,7 +179,8 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     if (last.Made != TemporalCoherence::Route::Redisplay &&
       last.Made != TemporalCoherence::Route::Reshade &&
       last.Made != TemporalCoherence::Route::Recomposite &&
-      last.Made != TemporalCoherence::Route::KeepValues)
+      last.Made != TemporalCoherence::Route::KeepValues &&
+      last.Made != TemporalCoherence::Route::Antialias)
     {
       // The time to build the isomap does not count: the next frames in the view need not build it.
       this->Distances.Learn(

@@ -122,6 +122,7 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AmbientOcclusionRays: " << this->AmbientOcclusionRays << endl;
   os << indent << "Shadows: " << this->Shadows << endl;
   os << indent << "LightRadius: " << this->LightRadius << endl;
+  os << indent << "Antialiasing: " << this->Antialiasing << endl;
   os << indent << "ProgressiveImages: " << this->ProgressiveImages << endl;
   os << indent << "ReuseFrames: " << this->ReuseFrames << endl;
   os << indent << "Isomap: " << this->Isomap << endl;

@@ -127,6 +127,7 @@ double Stage::VoxelSize() const
 Drawer::Drawer(const Stage& stage)
 {
   this->Mapper->SetInputDataObject(stage.Data);
+  this->Mapper->SetAntialiasingToOff();
 }
 
 double Drawer::Draw(const Stage& stage)

@@ -84,6 +84,7 @@ class SpherePlanes(unittest.TestCase):
         color, depth = vtkImageData(), vtkImageData()
         mapper = vtkTemporalCoherenceVolumeMapper()
         mapper.SetInputData(self.volume.GetMapper().GetDataSetInput())
+        mapper.SetAntialiasingToOff()
         self.assertTrue(mapper.MakeImage(self.renderer, self.volume, *SIZE, color, depth))
         for image, plane in ((color, self.planes.color), (depth, self.planes.depth)):
             self.assertEqual(image.GetDimensions(), (*SIZE, 1))

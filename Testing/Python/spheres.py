@@ -33,6 +33,7 @@ def image_of(array: numpy.ndarray):
 def volume_of(image, *isovalues: float) -> vtkVolume:
     mapper = vtkTemporalCoherenceVolumeMapper()
     mapper.SetInputData(image)
+    mapper.SetAntialiasingToOff()
     volume = vtkVolume()
     volume.SetMapper(mapper)
     appearance = volume.GetProperty()

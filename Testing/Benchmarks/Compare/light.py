@@ -36,6 +36,7 @@ class Picture:
         self.mapper.SetInputData(image)
         self.mapper.SetBlendModeToIsoSurface()
         self.mapper.ProgressiveImagesOn()
+        self.mapper.SetAntialiasingToOff()
         self.is_occluded = is_occluded
         self.volume = vtkVolume()
         self.volume.SetMapper(self.mapper)

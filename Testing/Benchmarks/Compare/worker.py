@@ -53,6 +53,7 @@ class Stage:
         self.mapper = vtkTemporalCoherence.vtkTemporalCoherenceVolumeMapper()
         self.mapper.SetInputData(image)
         self.mapper.ReuseFramesOff()
+        self.mapper.SetAntialiasingToOff()
         self.mapper.IsomapOff()
         if scene.is_threshold:
             self.mapper.SetSurfaceModeToThreshold()

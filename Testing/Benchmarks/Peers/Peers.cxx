@@ -42,6 +42,7 @@ Peer Ours(Stage& stage)
 {
   vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;
   mapper->ReuseFramesOff();
+  mapper->SetAntialiasingToOff();
   const vtkSmartPointer<vtkVolume> volume = VolumeLike(stage, mapper);
   return { "vtkTemporalCoherenceVolumeMapper", volume, IsovalueOf(volume) };
 }

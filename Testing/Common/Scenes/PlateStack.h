@@ -101,6 +101,7 @@ struct Pile
       image->GetPointData()->GetScalars()->SetComponent(i, 0, image->GetPoint(i)[2]);
     }
     this->Mapper->SetInputData(image);
+    this->Mapper->SetAntialiasingToOff();
     this->Prop->SetMapper(this->Mapper);
     vtkVolumeProperty* property = this->Prop->GetProperty();
     vtkNew<vtkColorTransferFunction> color;

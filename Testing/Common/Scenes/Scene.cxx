@@ -10,6 +10,7 @@
 Scene::Scene(vtkDataSet* data, const std::vector<double>& isovalues)
 {
   this->Mapper->SetInputDataObject(data);
+  this->Mapper->SetAntialiasingToOff(); // tests compare single rays
   this->Volume->SetMapper(this->Mapper);
   vtkVolumeProperty* property = this->Volume->GetProperty();
   property->SetInterpolationTypeToLinear();

@@ -12,6 +12,8 @@
 class ColdWitness
 {
 public:
+  ColdWitness() { this->Mapper->SetAntialiasingToOff(); }
+
   /// Draw the scene in the size of its last picture.
   /// \return true if it was drawn, by a cold frame
   bool Draw(Scene& scene);

@@ -219,6 +219,7 @@ void SwitchOff(Scene& scene)
   mapper->SetShadows(made->GetShadows());
   mapper->SetVectorMode(made->GetVectorMode());
   mapper->SetMaskInput(nullptr);
+  mapper->SetAntialiasingToOff();
   mapper->SetReuseFrames(made->GetReuseFrames());
   mapper->SetIsomap(made->GetIsomap());
   mapper->SetSpaceLeaping(made->GetSpaceLeaping());

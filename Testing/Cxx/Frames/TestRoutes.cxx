@@ -25,6 +25,7 @@ namespace
 void ExpectFreshPicture(Scene& scene, const std::string& what)
 {
   vtkNew<vtkTemporalCoherenceVolumeMapper> fresh;
+  fresh->SetAntialiasingToOff();
   fresh->SetInputDataObject(scene.Mapper->GetInputDataObject(0, 0));
   fresh->SetSurfaceMode(scene.Mapper->GetSurfaceMode());
   vtkNew<vtkImageData> color, depth;

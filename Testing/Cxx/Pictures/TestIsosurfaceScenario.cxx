@@ -28,6 +28,7 @@ int TestIsosurfaceScenario(int, char*[])
   vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;
   mapper->SetInputConnection(data->GetOutputPort());
   mapper->SetBlendModeToIsoSurface();
+  mapper->SetAntialiasingToOff();
 
   vtkNew<vtkColorTransferFunction> color;
   color->RemoveAllPoints();

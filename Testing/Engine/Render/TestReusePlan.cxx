@@ -55,6 +55,25 @@ TEST(ReusePlan, LightGoesOn)
   EXPECT_EQ(Plan(key, {}, held), Route::Cold);
 }
 
+TEST(ReusePlan, EdgesGetMoreRays)
+{
+  HeldForReuse held;
+  held.IsSmooth = false;
+  EXPECT_EQ(Plan(BaseKey(), {}, held), Route::Antialias);
+  FrameKey key = BaseKey();
+  key.Appearance.Shade = true;
+  EXPECT_EQ(Plan(key, {}, held), Route::Reshade) << "colours come first";
+  held.IsLightFinal = false;
+  EXPECT_EQ(Plan(BaseKey(), {}, held), Route::Reshade) << "light comes first";
+  held.IsLightFinal = true;
+  held.IsExact = false;
+  EXPECT_EQ(Plan(BaseKey(), {}, held), Route::Cold) << "exactness comes first";
+  FrameKey blended = BaseKey();
+  blended.Shown = Blending();
+  held.IsExact = true;
+  EXPECT_EQ(PlanRoute(blended, blended, {}, held), Route::Antialias);
+}
+
 TEST(ReusePlan, AppearanceChanged)
 {
   FrameKey key = BaseKey();

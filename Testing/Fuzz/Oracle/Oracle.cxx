@@ -115,6 +115,7 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   fresh->SetFinalColorWindow(subject->GetFinalColorWindow());
   fresh->SetFinalColorLevel(subject->GetFinalColorLevel());
   fresh->SetColorByAnswer(subject->GetColorByAnswer());
+  fresh->SetAntialiasing(subject->GetAntialiasing());
   fresh->ReuseFramesOff();
   fresh->IsomapOff();
   // The picture is the same with leaping and without.

@@ -28,6 +28,7 @@ World::World(std::vector<std::uint8_t> bytes)
   : From(std::move(bytes))
   , Subject(vtkSmartPointer<Mapper>::New())
 {
+  this->Subject->SetAntialiasingToOff();
   // Kept seeds begin with smaller numbers: their runs stay what they are.
   constexpr int firstOfLayers = 144, firstOfMeshes = 160, firstOfLarge = 240;
   const int first = this->From.Pick(256);

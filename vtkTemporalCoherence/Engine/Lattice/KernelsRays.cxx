@@ -180,6 +180,15 @@ void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& s
   SetUpPart(source, centres, size, rays, world);
 }
 
+void SetUpAt(const RaySource& source, const RayPlaces& at, RayBatch& rays, WorldDirections* world)
+{
+  const Doubles d;
+  for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(d))
+  {
+    SetUpVector(source, hn::LoadU(d, &at.X[i]), hn::LoadU(d, &at.Y[i]), i, rays, world);
+  }
+}
+
 /// One bit for each lane of a vector that begins at lane `i` of 64.
 template <class D>
 HWY_INLINE std::uint64_t BitsAt(D d, hn::Mask<D> mask, std::size_t i)
@@ -242,6 +251,7 @@ namespace TemporalCoherence
 {
 
 HWY_EXPORT(SetUp);
+HWY_EXPORT(SetUpAt);
 HWY_EXPORT(FindWalks);
 HWY_EXPORT(FindCells);
 
@@ -249,6 +259,12 @@ void SetUpRays(const RaySource& source, const glm::ivec2& first, const glm::ivec
   RayBatch& rays, WorldDirections* world)
 {
   HWY_DYNAMIC_DISPATCH(SetUp)(source, first, size, rays, world);
+}
+
+void SetUpRaysAt(
+  const RaySource& source, const RayPlaces& at, RayBatch& rays, WorldDirections* world)
+{
+  HWY_DYNAMIC_DISPATCH(SetUpAt)(source, at, rays, world);
 }
 
 std::uint64_t WalksWithoutHit(const RayBatch& rays, const HitBatch& hits)

@@ -15,6 +15,10 @@ namespace TemporalCoherence
 void SetUpRays(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size,
   RayBatch& rays, WorldDirections* world = nullptr);
 
+/// RaySource::SetUpAt in the widest vectors of the machine.
+void SetUpRaysAt(
+  const RaySource& source, const RayPlaces& at, RayBatch& rays, WorldDirections* world);
+
 /// Selects rays with a walk and no hit yet, one bit each.
 std::uint64_t WalksWithoutHit(const RayBatch& rays, const HitBatch& hits);
 

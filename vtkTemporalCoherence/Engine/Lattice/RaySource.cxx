@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace TemporalCoherence
 {
@@ -47,6 +48,22 @@ void RaySource::SetUp(
   const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays, WorldDirections* world) const
 {
   SetUpRays(*this, first, size, rays, world);
+  if (!this->Clipper.IsWhole())
+  {
+    this->Clipper.Narrow(rays);
+  }
+}
+
+void RaySource::SetUpAt(
+  const RayPlaces& at, std::size_t count, RayBatch& rays, WorldDirections* world) const
+{
+  SetUpRaysAt(*this, at, rays, world);
+  rays.Count = static_cast<int>(count);
+  std::iota(rays.Pixel.begin(), rays.Pixel.end(), 0);
+  if (count < RayBatch::Capacity)
+  {
+    rays.PerDepth.fill(0.0);
+  }
   if (!this->Clipper.IsWhole())
   {
     this->Clipper.Narrow(rays);

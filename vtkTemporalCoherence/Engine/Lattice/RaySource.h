@@ -16,6 +16,12 @@
 namespace TemporalCoherence
 {
 
+/// Where 64 rays go through the picture, in normalised device coordinates.
+struct RayPlaces
+{
+  RayBatch::Array<double> X, Y;
+};
+
 /// Sets up the rays of a view in index space. Made once for a frame. A field more than 2^44 voxels
 /// away is not visible.
 class RaySource
@@ -30,6 +36,11 @@ public:
   /// \param world gets the directions of the rays in the world; may be null
   void SetUp(const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays,
     WorldDirections* world = nullptr) const;
+
+  /// Set up rays as SetUp does. Pixel counts them. A full batch lies like the pixels of a tile.
+  /// Other rays may go anywhere: their PerDepth is 0.
+  void SetUpAt(
+    const RayPlaces& at, std::size_t count, RayBatch& rays, WorldDirections* world) const;
 
   /// A vector that is linear in normalised device coordinates: V[0] + x V[1] + y V[2].
   using LinearVector = std::array<glm::dvec3, 3>;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kinds/FieldKind.h"
 #include "Lattice/RayPieces.h"
+#include "Render/RayColors.h"
 #include "Render/RouteSteps.h"
 #include "Render/Routes.h"
 #include "Shade/Shader.h"
@@ -41,7 +42,7 @@ const Field& FieldOfNormals(const FrameKey& key)
 }
 
 /// Blends the rays of tiles, and writes the planes of the frame.
-class TileBlender
+class TileBlender : public RayColors
 {
 public:
   /// \param last a frame whose rays met the same values; null: no values are known
@@ -103,6 +104,34 @@ public:
       ComputeNormals(*this->Gradients, hits);
       StoreNormals(hits, frame);
     }
+    counts.CellsRead = seen.CellsRead;
+    return counts;
+  }
+
+  TraceCounts Find(std::int64_t tile, const LooseRays& loose, Frame& made) const override
+  {
+    TraceCounts counts;
+    std::fill(made.Colors.begin(), made.Colors.end(), std::array<std::uint8_t, 4>{});
+    if (!this->Tracer || this->IsEmpty(tile))
+    {
+      return counts;
+    }
+    RayBatch rays;
+    WorldDirections world;
+    loose.SetUp(this->Rays, rays, &world);
+    const RayBatch::Array<std::int32_t> pixelsMade = rays.Pixel;
+    rays.Pixel = loose.Pixel;
+    this->EndWhereHidden(rays);
+    rays.Pixel = pixelsMade;
+    if (this->Space.Active)
+    {
+      this->Space.Bounds->Narrow(tile, rays);
+    }
+    BlendedRays seen;
+    this->Tracer->Begin(seen);
+    this->Trace(rays, 0, world, seen);
+    this->Tracer->Finish(rays, world, seen);
+    this->Store(rays, 0, seen, made, counts);
     counts.CellsRead = seen.CellsRead;
     return counts;
   }
@@ -241,6 +270,12 @@ bool BlendTiles(FrameTask& task, const TileBlender& blender)
     { return blender.Blend(tile, part, frame); });
 }
 
+}
+
+std::unique_ptr<RayColors> MakeBlendedColors(FrameTask& task)
+{
+  const bool leaps = task.Options.SpaceLeaping && task.Structures.PrepareVisibleCells(task.Key);
+  return std::make_unique<TileBlender>(task, task.Structures.VisibleSpace(leaps));
 }
 
 bool BlendCold(FrameTask& task)

@@ -10,8 +10,18 @@
 #include "Render/ReusePlan.h"
 #include "Shade/Light/SurfaceLight.h"
 
+#include <cstdint>
+
 namespace TemporalCoherence
 {
+
+/// When pixels at edges get more than one ray.
+enum class Antialiasing : std::uint8_t
+{
+  Off,
+  WhenStill, ///< in a frame that differs in nothing from the last one
+  Always     ///< in each frame
+};
 
 /// Options for making frames.
 struct FrameOptions
@@ -25,6 +35,7 @@ struct FrameOptions
   Isomap::Options Map;
   LayerOptions Layers;
   LightOptions Light;
+  Antialiasing Antialias = Antialiasing::Off;
   bool ReportsTiles = false; ///< trace tiles in parts, with a progress report before each part
 };
 

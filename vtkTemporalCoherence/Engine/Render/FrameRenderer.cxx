@@ -3,9 +3,11 @@
 #include "Render/FrameRenderer.h"
 
 #include "Kinds/FieldKind.h"
+#include "Render/Antialias.h"
 #include "Render/Routes.h"
 #include "Scene/Timers.h"
 
+#include <algorithm>
 #include <new>
 
 namespace TemporalCoherence
@@ -15,6 +17,33 @@ namespace
 
 /// The share of a frame's progress that building a range of isovalues takes.
 constexpr double ShareOfBuilding = 0.9;
+
+/// The share of a picture's progress that its edges have.
+constexpr double ShareOfEdges = 0.1;
+
+/// Rays of a pixel at an edge, about: each of them sends that share of a pixel's rays for light.
+constexpr std::uint32_t RaysAtEdges = 8;
+
+/// True if the light of surfaces is to be found.
+bool HasLight(const FrameKey& key)
+{
+  return key.Appearance.HasMutualLight() && !key.Isosurfaces().Isovalues.empty() &&
+    key.Samples.HasCells();
+}
+
+/// True if still pictures of a key are to be antialiased. Where colours tell of rays they are not.
+bool WantsSmoothEdges(const FrameKey& key, const FrameOptions& options)
+{
+  return options.Antialias != Antialiasing::Off && !key.Appearance.ColorByAnswer;
+}
+
+/// True if nothing has changed since the last frame.
+bool IsRepeatOf(const CachedImage& last, const FrameKey& key)
+{
+  const FrameChange change = CompareFrames(last.Key, key);
+  return !last.Picture.IsEmpty() && !change.Data && !change.View && !change.Surfaces &&
+    !change.Opacity && !change.Appearance && !change.Blending;
+}
 
 }
 
@@ -33,7 +62,8 @@ bool FrameRenderer::Render(
       this->Map.Trim(options.Map.MemoryLimit);
       key = this->Prepare(asked);
     }
-    FrameTask task{ key, options, this->Store, this->Structures, statistics, nullptr, report };
+    FrameTask task{ key, options, this->Store, this->Structures, statistics, nullptr, report,
+      IsRepeatOf(this->Store.Last(), key) };
 
     // The changes and the available data determine the route.
     const std::shared_ptr<CachedImage> nearest = this->Store.FindNearest(key, options);
@@ -45,17 +75,13 @@ bool FrameRenderer::Render(
 
     // One function makes the frame. If it is stopped or runs out of memory, the last frame is
     // unchanged.
-    if (!this->Make(route, task, nearest.get()))
+    std::unique_ptr<SurfaceLight> ofEdges;
+    if (!this->Make(route, task, nearest.get()) || !this->SmoothEdges(route, task, ofEdges))
     {
       return false;
     }
     this->Finish(route, task);
-    if (light)
-    {
-      statistics.Progress = light->Progress();
-      statistics.IsFinal = statistics.Progress >= 1.0;
-      this->Light->Add(light->Found(), options.Light.MemoryLimit);
-    }
+    this->KeepLight(light.get(), ofEdges.get(), task);
   }
   this->TimeToBuild = statistics.IsomapBuildTime;
   this->OfLastFrame = statistics;
@@ -71,25 +97,104 @@ std::unique_ptr<SurfaceLight> FrameRenderer::BeginLight(const FrameTask& task, R
     this->Light->Clear();
     return nullptr;
   }
-  if (key.Isosurfaces().Isovalues.empty() || !key.Samples.HasCells() || route == Route::Redisplay)
+  if (!HasLight(key) || route == Route::Redisplay || route == Route::Antialias)
   {
     return nullptr;
   }
   this->Light->Follow(key);
-  const bool leaps = task.Options.SpaceLeaping;
-  if (leaps)
+  if (task.Options.SpaceLeaping)
   {
     task.Structures.PrepareActiveCells(key);
   }
-  const glm::dvec2 finite = task.Structures.Pyramid().FiniteRange();
   const LightOptions& options = task.Options.Light;
   const bool isStill = options.AtOnce ||
     (route == Route::Reshade && !CompareFrames(task.Store.Last().Key, key).Appearance);
   const std::uint32_t raysWhenStill = options.AtOnce ? options.Rays : options.RaysWhenStill;
+  return this->MakeLight(
+    task, isStill ? raysWhenStill : options.RaysOfFrame, options.Rays, isStill);
+}
+
+/// Prepare rays that find light.
+/// \param raysOfFrame from each hit, and in all frames together
+std::unique_ptr<SurfaceLight> FrameRenderer::MakeLight(
+  const FrameTask& task, std::uint32_t raysOfFrame, std::uint32_t rays, bool isStill) const
+{
+  const FrameKey& key = task.Key;
+  const glm::dvec2 finite = task.Structures.Pyramid().FiniteRange();
   return std::make_unique<SurfaceLight>(key, KindOf(key.Samples), finite,
     MakeSurfaceTracer({ key.Samples, key.Isosurfaces(), finite,
-      task.Structures.SpaceToLeap(leaps).Active, false, Traversal::Walks }),
-    *this->Light, isStill ? raysWhenStill : options.RaysOfFrame, options.Rays, !isStill);
+      task.Structures.SpaceToLeap(task.Options.SpaceLeaping).Active, false, Traversal::Walks }),
+    *this->Light, raysOfFrame, rays, !isStill);
+}
+
+/// Antialias the made picture if that is asked for.
+/// \param light receives the light of the surfaces that more rays meet; null if none is needed
+/// \return false if the report stopped it, and the frame must not become the last one
+bool FrameRenderer::SmoothEdges(Route route, FrameTask& task, std::unique_ptr<SurfaceLight>& light)
+{
+  const FrameKey& key = task.Key;
+  const bool isOfLast = route == Route::Reshade || route == Route::Antialias;
+  const bool isNow = WantsSmoothEdges(key, task.Options) &&
+    (task.IsRepeated || task.Options.Antialias == Antialiasing::Always);
+  if (route == Route::Redisplay || !isNow)
+  {
+    if (route == Route::Antialias)
+    {
+      task.Store.LastToRecolor().Picture.Antialiased.clear();
+    }
+    return true;
+  }
+  try
+  {
+    if (HasLight(key))
+    {
+      // The rays of a pixel share its work.
+      const LightOptions& options = task.Options.Light;
+      const auto shareOf = [](std::uint32_t rays) { return std::max(rays / RaysAtEdges, 1u); };
+      this->Light->Follow(key);
+      if (task.Options.SpaceLeaping)
+      {
+        task.Structures.PrepareActiveCells(key);
+      }
+      const bool isStill = options.AtOnce || task.IsRepeated;
+      const std::uint32_t raysWhenStill = options.AtOnce ? options.Rays : options.RaysWhenStill;
+      light = this->MakeLight(task, shareOf(isStill ? raysWhenStill : options.RaysOfFrame),
+        shareOf(options.Rays), isStill);
+    }
+    CachedImage& made = isOfLast ? task.Store.LastToRecolor() : task.Store.Next();
+    const bool isDone = Antialias(task, light.get(), made.Picture);
+    // Reshade has changed the last frame: it is valid without more rays.
+    return isDone || route == Route::Reshade;
+  }
+  catch (const std::bad_alloc&)
+  {
+    if (route != Route::Reshade)
+    {
+      throw;
+    }
+    return true;
+  }
+}
+
+/// Keep the light that a finished frame has found, and tell whether the frame is final.
+void FrameRenderer::KeepLight(
+  const SurfaceLight* ofPixels, const SurfaceLight* ofEdges, FrameTask& task)
+{
+  FrameStatistics& statistics = task.Statistics;
+  for (const SurfaceLight* light : { ofPixels, ofEdges })
+  {
+    if (light)
+    {
+      statistics.Progress = std::min(statistics.Progress, light->Progress());
+      this->Light->Add(light->Found(), task.Options.Light.MemoryLimit);
+    }
+  }
+  this->IsLightFinal = statistics.Progress >= 1.0;
+  if (WantsSmoothEdges(task.Key, task.Options) && !task.Store.Last().Picture.IsAntialiased())
+  {
+    statistics.Progress *= 1.0 - ShareOfEdges;
+  }
+  statistics.IsFinal = statistics.Progress >= 1.0;
 }
 
 /// Take a route. If the route proves impossible, take the next best and update `route`.
@@ -107,6 +212,9 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       return true;
     case Route::Reshade:
       return ShadeAgain(task);
+    case Route::Antialias:
+      ShowAgain(task);
+      return true;
     case Route::IsomapLookup:
       return this->LookUpIsomap(route, task);
     case Route::IsomapBuild:
@@ -131,7 +239,7 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
 {
   task.Statistics.Made = route;
   this->ForPicks = nullptr;
-  if (route == Route::Redisplay || route == Route::Reshade)
+  if (route == Route::Redisplay || route == Route::Reshade || route == Route::Antialias)
   {
     return;
   }
@@ -155,7 +263,8 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   held.IsIsomapExact = this->Map.Built().Tolerance() == 0.0 && !options.Map.HasNormals;
   held.Isomap = this->Map.Covers(key, options.Map);
   held.ShareToTrace = this->Changes.ShareToTrace();
-  held.IsLightFinal = this->OfLastFrame.IsFinal;
+  held.IsLightFinal = this->IsLightFinal;
+  held.IsSmooth = WantsSmoothEdges(key, options) == last.Picture.IsAntialiased();
   held.Values = !last.Picture.Met.empty();
   ReuseSwitches switches = options.Reuse;
   // A picture from an isomap does not serve a request with another tolerance.

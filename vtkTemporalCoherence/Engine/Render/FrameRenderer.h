@@ -85,11 +85,15 @@ private:
   void PrepareRanges(const FrameKey& key);
   Route ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const;
   std::unique_ptr<SurfaceLight> BeginLight(const FrameTask& task, Route route);
+  std::unique_ptr<SurfaceLight> MakeLight(
+    const FrameTask& task, std::uint32_t raysOfFrame, std::uint32_t rays, bool isStill) const;
+  bool SmoothEdges(Route route, FrameTask& task, std::unique_ptr<SurfaceLight>& light);
   bool Make(Route& route, FrameTask& task, CachedImage* nearest);
   bool BuildAndLookUp(Route& route, FrameTask& task);
   bool LookUpIsomap(Route& route, FrameTask& task);
   Isomap::Outcome PrepareIsomap(FrameTask& task);
   void Finish(Route route, const FrameTask& task);
+  void KeepLight(const SurfaceLight* ofPixels, const SurfaceLight* ofEdges, FrameTask& task);
 
   FrameStore Store;
   FrameStructures Structures;
@@ -99,6 +103,7 @@ private:
   KnotForm LastForm;                 ///< as requested for the last frame
   std::vector<std::uint64_t> UnresolvedRays; ///< memory of LookUp
   FrameStatistics OfLastFrame;
+  bool IsLightFinal = true; ///< of the last frame
   double TimeToBuild = 0.0;
   std::shared_ptr<const FieldRanges> ForPicks; ///< of data without a frame so far; or null
 };

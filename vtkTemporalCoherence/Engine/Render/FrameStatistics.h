@@ -20,10 +20,10 @@ struct FrameStatistics
   std::int64_t DefiniteMisses = 0;
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
-  std::int64_t FieldSamples = 0; ///< samples read to find surfaces and to build an isomap
-  bool IsFinal = true;     ///< false: the light of surfaces gets better if the frame is made again
-  double Progress = 1.0;   ///< of the light, from 0 to 1; 1 if it is final
-  std::int64_t Layers = 0; ///< surfaces that were composited, if some are translucent
+  std::int64_t FieldSamples = 0;  ///< samples read to find surfaces and to build an isomap
+  bool IsFinal = true;            ///< false: light or edges get better if the frame is made again
+  double Progress = 1.0;          ///< of light and edges, from 0 to 1; 1 if they are final
+  std::int64_t Layers = 0;        ///< surfaces that were composited, if some are translucent
   std::int64_t MergedLayers = 0;  ///< of these, layers that were merged into one in front
   std::int64_t TilesLookedUp = 0; ///< in existing bands of an isomap
   std::int64_t TilesBuilt = 0;    ///< looked up in bands built for this frame

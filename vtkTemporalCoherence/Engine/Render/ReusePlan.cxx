@@ -38,7 +38,7 @@ Route PlanVolume(const FrameChange& change, const FrameKey& last, const FrameKey
   const bool isOther = change.Data || change.View || change.Surfaces || change.Opacity;
   if (!isOther && !change.Appearance && !change.Blending)
   {
-    return Route::Redisplay;
+    return held.IsSmooth ? Route::Redisplay : Route::Antialias;
   }
   const bool isKnown =
     switches.Frames && held.Values && MeetSameValues(last.Blended(), next.Blended());
@@ -69,6 +69,8 @@ const char* NameOf(Route route)
       return "Recomposite";
     case Route::KeepValues:
       return "KeepValues";
+    case Route::Antialias:
+      return "Antialias";
   }
   return "";
 }
@@ -88,7 +90,8 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   const bool isSame = !change.Data && !change.View && !change.Surfaces && !change.Opacity;
   if (isSame && (held.IsExact || !switches.RefineWhenStill))
   {
-    return change.Appearance || !held.IsLightFinal ? Route::Reshade : Route::Redisplay;
+    const Route asItIs = held.IsSmooth ? Route::Redisplay : Route::Antialias;
+    return change.Appearance || !held.IsLightFinal ? Route::Reshade : asItIs;
   }
   if (switches.Frames && KnowsLayers(change, next, held))
   {

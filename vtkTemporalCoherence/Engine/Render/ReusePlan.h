@@ -13,15 +13,16 @@ namespace TemporalCoherence
 /// How a whole frame is made. Removed routes leave gaps in the numbers.
 enum class Route : std::uint8_t
 {
-  Cold,           ///< every ray is traced, without help from an earlier frame
-  Redisplay,      ///< nothing changed: the same picture
-  Reshade,        ///< only the appearance changed: known hits get new colours
-  IsomapLookup,   ///< another isovalue in the same view, looked up in the isomap
-  IsomapBuild,    ///< the isomap lacks some tiles: they are built or traced
-  ImageCache = 6, ///< another view: a cached image tells where walks may begin
-  TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
-  Recomposite,    ///< only opacities changed: known layers are composited again
-  KeepValues = 10 ///< only a projection's colours changed: known values get colours
+  Cold,            ///< every ray is traced, without help from an earlier frame
+  Redisplay,       ///< nothing changed: the same picture
+  Reshade,         ///< only the appearance changed: known hits get new colours
+  IsomapLookup,    ///< another isovalue in the same view, looked up in the isomap
+  IsomapBuild,     ///< the isomap lacks some tiles: they are built or traced
+  ImageCache = 6,  ///< another view: a cached image tells where walks may begin
+  TimeStep,        ///< other samples in the same view: tiles that they do not affect are copied
+  Recomposite,     ///< only opacities changed: known layers are composited again
+  KeepValues = 10, ///< only a projection's colours changed: known values get colours
+  Antialias        ///< nothing changed: pixels at edges get more rays, or lose them
 };
 
 /// The route's name as in the documentation, for example "Cold".
@@ -45,7 +46,8 @@ struct HeldForReuse
   bool CanBuildIsomap = true; ///< data and memory allow one
   double ShareToTrace = 1.0;  ///< share of the tiles that changed samples affect; 1 if unknown
   bool IsLightFinal = true;   ///< more rays would not change the light of the last picture
-  bool Values = false;        ///< the last frame keeps the values that a projection's rays met
+  bool IsSmooth = true; ///< the edges of the last picture have as many rays as they shall have
+  bool Values = false;  ///< the last frame keeps the values that a projection's rays met
 };
 
 /// Choose the best route from the last frame to the next one. A pure function, so that every

@@ -132,6 +132,7 @@ bool ShadeAgain(FrameTask& task)
       return false;
     }
     last.Key = std::move(key);
+    picture.Antialiased.clear();
     if (saved)
     {
       saved->Drop();

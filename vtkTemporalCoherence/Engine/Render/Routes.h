@@ -24,15 +24,16 @@ struct FrameTask
   FrameStore& Store;
   FrameStructures& Structures; ///< with the value ranges of the key
   FrameStatistics& Statistics;
-  SurfaceLight* Light;   ///< that reaches the surfaces; null: all of it does
-  ReportProgress Report; ///< called with the progress, if it is not null; may stop the frame
+  SurfaceLight* Light;     ///< that reaches the surfaces; null: all of it does
+  ReportProgress Report;   ///< called with the progress, if it is not null; may stop the frame
+  bool IsRepeated = false; ///< nothing has changed since the last frame
 };
 
 // One function for each route. Redisplay and Reshade change the last frame in place. The others
 // make the next one in FrameStore::Next(), and return false if the report stopped them. They throw
 // std::bad_alloc if memory runs out.
 
-/// Redisplay: show the last frame again.
+/// Redisplay, and Antialias before its edges are made: show the last frame again.
 void ShowAgain(FrameTask& task);
 
 /// Reshade: all hits are known; only their colours change. Merged layers are traced again. If the

@@ -116,6 +116,30 @@ TraceCounts TileTracer::TraceSome(
   return counts;
 }
 
+bool TileTracer::TraceAt(std::int64_t tile, const LooseRays& loose, TileHits& found) const
+{
+  if (this->CanSkip(tile))
+  {
+    return false;
+  }
+  RayBatch& rays = found.Rays;
+  loose.SetUp(this->Rays, rays, &found.World);
+  rays.MayBeCapped = this->MayBeCapped(tile);
+  if (this->Scene.Active)
+  {
+    this->Scene.Bounds->Narrow(tile, rays);
+  }
+  if (this->Scene.Key.Isosurfaces().IsTranslucent())
+  {
+    found.Hits.CellsRead = 0; // the shader finds them
+  }
+  else
+  {
+    this->Find(rays, found.Hits);
+  }
+  return true;
+}
+
 /// Find the first surface along each ray within the region.
 void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
 {

@@ -7,6 +7,7 @@
 #include "Lattice/RayHint.h"
 #include "Lattice/RaySource.h"
 #include "Lattice/SurfaceTracer.h"
+#include "Render/LooseRays.h"
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/TileHits.h"
@@ -44,6 +45,11 @@ public:
   /// Trace some rays of a tile, one bit each, without a hint.
   TraceCounts TraceSome(
     std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const;
+
+  /// Trace rays that go anywhere through a tile, whatever the hint.
+  /// \param found receives the rays and, unless surfaces are translucent, their hits
+  /// \return false if the rays are known to miss. They are not set up then
+  bool TraceAt(std::int64_t tile, const LooseRays& loose, TileHits& found) const;
 
 private:
   /// Set up the rays of a tile. Narrow their walks to the parts that can hold surfaces.

@@ -118,6 +118,10 @@ struct Frame
   Plane<std::array<std::uint8_t, 4>> Colors; ///< premultiplied RGBA; 0 where nothing is hit
   bool IsFromCache = false;                  ///< a cached image gave the answers
 
+  /// Colors, but with the mean of several rays at edges. Empty: no pixel has more than one ray.
+  /// Routes read and write Colors alone, so their pictures do not depend on it.
+  Plane<std::array<std::uint8_t, 4>> Antialiased;
+
   // FrameExtras: an unneeded plane is empty.
   Plane<float> Disparities; ///< of the hit, or of a miss (Disparity.h)
   Plane<CellNumber> Cells;  ///< in which the surface is hit
@@ -174,6 +178,7 @@ struct Frame
     }
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     this->Size = glm::ivec2(0);
+    this->Antialiased = {};
     ForEachPlane(0.0f,
       [&](auto plane, const auto&)
       {
@@ -192,6 +197,14 @@ struct Frame
   }
 
   bool IsEmpty() const { return this->Size.x == 0; }
+
+  bool IsAntialiased() const { return !this->Antialiased.empty(); }
+
+  /// Colours for showing the picture.
+  const Plane<std::array<std::uint8_t, 4>>& ShownColors() const
+  {
+    return this->IsAntialiased() ? this->Antialiased : this->Colors;
+  }
 
 private:
   template <typename T>

@@ -171,6 +171,24 @@ void TakeHits(const View& view, const TileHits& found, HitList& hits)
   }
 }
 
+void TakeHitsAt(const View& view, const RayPlaces& at, const TileHits& found, HitList& hits)
+{
+  std::size_t& count = hits.Rays.Count;
+  count = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found.Rays.Count); ++i)
+  {
+    hits.Pixel[count] = found.Rays.Pixel[i];
+    hits.Surface[count] = found.Hits.Surface[i];
+    hits.Kind[count] = found.Hits.Kind[i];
+    hits.Cell[count] = found.Hits.Cell[i];
+    hits.X[count] = at.X[i];
+    hits.Y[count] = at.Y[i];
+    hits.Rays.T[count] = found.Hits.Depth[i];
+    count += found.Hits.Surface[i] != Frame::NoSurface;
+  }
+  FindHitRays(view, hits);
+}
+
 void ClearMisses(const HitList& hits, Frame& frame)
 {
   for (std::uint64_t left = hits.Misses; left != 0; left &= left - 1)

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_Shader_h
 #define TemporalCoherence_Shader_h
 
+#include "Lattice/RaySource.h"
 #include "Scene/Appearance.h"
 #include "Scene/Field.h"
 #include "Scene/Frame.h"
@@ -77,6 +78,9 @@ void GatherHits(
 /// Take the hits of a whole tile of a perspective view, whose planes hold them already. Misses are
 /// taken too, and not cleared. The list refers to the directions of the tile.
 void TakeHits(const View& view, const TileHits& found, HitList& hits);
+
+/// Take the hits of rays that form no tile.
+void TakeHitsAt(const View& view, const RayPlaces& at, const TileHits& found, HitList& hits);
 
 /// Clear the normals and colours of the misses in a list.
 void ClearMisses(const HitList& hits, Frame& frame);

@@ -25,6 +25,12 @@ void PrefetchLayers(const std::vector<LayerHit>& layers, std::size_t first)
   }
 }
 
+/// Takes layers that no later frame needs.
+struct UnkeptLayers
+{
+  void Keep(std::size_t, const LayerHit&) {}
+};
+
 /// \param layers that are kept
 void CountLayers(
   const LimitedLayers& kept, const std::vector<LayerHit>& layers, TraceCounts& counts)
@@ -132,6 +138,18 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
   GiveBackMemory(layers);
   canvas.Finish();
   this->Paint(layers, frame);
+}
+
+void TileCompositor::CompositeAt(
+  std::int64_t tile, const RayPlaces& at, TileHits& found, Frame& rays, TraceCounts& counts) const
+{
+  found.Layers.Begin(static_cast<std::size_t>(found.Rays.Count), this->Alphas);
+  FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, found.Layers);
+  counts.CellsRead += found.Layers.CellsRead;
+  LayerCanvas canvas({ glm::ivec2(0), glm::ivec2(found.Rays.Count, 1) }, rays);
+  UnkeptLayers unkept;
+  this->AddAll(tile, found, { at.X, at.Y }, canvas, unkept, counts);
+  canvas.Finish();
 }
 
 /// Shade and composite the found layers, then find and add the layers behind them, until the pixels

@@ -54,6 +54,12 @@ public:
   void CompositeAgain(
     std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;
 
+  /// Find and composite all surfaces along rays that go anywhere through a tile. Layers are not
+  /// kept. \param found the rays \param rays  a frame of one whole tile, whose pixels show these
+  /// rays
+  void CompositeAt(std::int64_t tile, const RayPlaces& at, TileHits& found, Frame& rays,
+    TraceCounts& counts) const;
+
 private:
   void SetUpRays(std::int64_t tile, const PixelRect& part, TileHits& found) const;
   void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const;

@@ -4,6 +4,9 @@
 
 #include "Scene/Timers.h"
 
+#include <algorithm>
+#include <array>
+
 namespace TemporalCoherence
 {
 
@@ -71,6 +74,26 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found
   }
   ShadeHits(this->Key.Appearance, hits, this->Light ? &arriving : nullptr, frame);
   ClearMisses(hits, frame);
+}
+
+void TileShader::ShadeAt(
+  std::int64_t tile, const RayPlaces& at, TileHits& found, Frame& rays, TraceCounts& counts) const
+{
+  if (this->Compositor)
+  {
+    this->Compositor->CompositeAt(tile, at, found, rays, counts);
+    return;
+  }
+  std::fill(rays.Colors.begin(), rays.Colors.end(), std::array<std::uint8_t, 4>{});
+  HitList hits;
+  TakeHitsAt(this->Key.View, at, found, hits);
+  ComputeNormals(this->Source, hits);
+  ArrivingLight arriving;
+  if (this->Light && hits.Rays.Count > 0)
+  {
+    counts.CellsRead += this->Light->Find(tile, hits, false, arriving);
+  }
+  ShadeHits(this->Key.Appearance, hits, this->Light ? &arriving : nullptr, rays);
 }
 
 void TileShader::ShadeKnown(std::int64_t tile, const PixelRect& part, const Frame& last,

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_TileShader_h
 #define TemporalCoherence_TileShader_h
 
+#include "Lattice/RaySource.h"
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/TileHits.h"
@@ -46,6 +47,13 @@ public:
   /// Shade `part`, which is tile number `tile`. Thread-safe.
   /// \param found its rays and hits; null: takes them from the planes. Layers are used up
   void Shade(std::int64_t tile, const PixelRect& part, TileHits* found, Frame& frame,
+    TraceCounts& counts) const;
+
+  /// Shade rays that go anywhere through a tile of the picture. Thread-safe.
+  /// \param found the rays and their hits; translucent surfaces are found here
+  /// \param rays  a frame of one row, whose pixels show these rays: only its colours are
+  ///              valid afterwards
+  void ShadeAt(std::int64_t tile, const RayPlaces& at, TileHits& found, Frame& rays,
     TraceCounts& counts) const;
 
   /// Make and shade a tile from the last frame, which differs only in opacities and the appearance.

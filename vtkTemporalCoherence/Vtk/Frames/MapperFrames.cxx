@@ -94,7 +94,7 @@ Isomap::Outcome MapperFrames::BuildIsomap(const Viewer& viewer, const FrameReque
 }
 
 void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& size,
-  vtkDataSet* data, std::string& error)
+  vtkDataSet* data, std::string& error, PicturePart part)
 {
   const auto state = this->Viewers.Find(Viewer::Of(renderer, volume));
   if (!state || state->Engine.LastFrame().IsEmpty() || state->PictureSize != size)
@@ -114,7 +114,9 @@ void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::
     }
     else
     {
-      state->Presenter.Present(renderer, volume, state->Shown(), error);
+      ShownFrame shown = state->Shown();
+      shown.Part = part;
+      state->Presenter.Present(renderer, volume, shown, error);
     }
   }
   catch (const std::exception&)

@@ -51,8 +51,9 @@ public:
   /// \param size in pixels of the window
   /// \param data the points and cells for the selector; or null
   /// \param error receives the mistake and its remedy
+  /// \param part of the picture to draw in its window
   void Present(vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& size, vtkDataSet* data,
-    std::string& error);
+    std::string& error, PicturePart part = PicturePart::All);
 
   /// Write arrays of the last frame into images; see ImageFromFrame.h.
   /// \return false if there is none, or on error

@@ -96,9 +96,10 @@ void WriteColors(const Frame& frame, const FrameKey& key, vtkImageData* image)
     frame.Size, VTK_UNSIGNED_CHAR, "Color",
     [&](std::size_t pixel, int x, int y)
     {
-      const bool isBeside = frame.Isovalues[pixel] == Frame::NoSurface &&
+      const PixelColor& color = frame.ShownColors()[pixel];
+      const bool isBeside = frame.Isovalues[pixel] == Frame::NoSurface && color[3] == 0 &&
         !std::isfinite(EndAtBox(key.View.RayThrough(x, y), key));
-      return isBeside ? white : frame.Colors[pixel];
+      return isBeside ? white : color;
     },
     image);
 }

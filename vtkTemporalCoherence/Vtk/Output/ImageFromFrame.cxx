@@ -125,7 +125,7 @@ struct PixelRange
     switch (array)
     {
       case ColorArray:
-        return this->Copy(this->From.Colors, values);
+        return this->Copy(this->From.ShownColors(), values);
       case DepthArray:
         return this->Convert(
           this->From.Depth, values, [](double t) { return static_cast<float>(t); });

@@ -51,8 +51,8 @@ private:
   bool HasDepths(const PixelRect& part) const
   {
     bool isThere = false;
-    this->ForWindowPixels(
-      part, [&](std::size_t at) { isThere |= this->Depths[at] < FarthestDepth; });
+    const auto look = [&](std::size_t at) { isThere |= this->Depths[at] < FarthestDepth; };
+    this->ForWindowPixels(part, look);
     return isThere;
   }
 
@@ -78,13 +78,15 @@ private:
     {
       for (int x = part.First.x; x < part.First.x + part.Size.x; ++x)
       {
-        const PixelColor& all =
-          this->Picture.Colors[static_cast<std::size_t>(y * this->Picture.Size.x + x)];
+        const auto pixel = static_cast<std::size_t>(y * this->Picture.Size.x + x);
+        const PixelColor& ofLayers = this->Picture.Colors[pixel];
+        const PixelColor& all = this->Picture.ShownColors()[pixel];
         this->ForWindowPixels({ { x, y }, glm::ivec2(1) },
           [&](std::size_t at)
           {
-            this->Colors[at] = this->Colors[at][3] == 0 ? all : this->Colors[at];
-            isCut |= this->Colors[at] != all;
+            PixelColor& color = this->Colors[at];
+            color = color[3] == 0 || color == ofLayers ? all : color;
+            isCut |= color != all;
           });
       }
     }

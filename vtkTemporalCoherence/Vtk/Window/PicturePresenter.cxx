@@ -104,7 +104,9 @@ bool PicturePresenter::Present(
   else
   {
     this->Draw(this->OpenGL->Color,
-      { this->Shown.HasOpaque, this->Shown.HasTranslucent, shown.IsBlended, shown.ComparesDepths });
+      { this->Shown.HasOpaque && shown.Part != PicturePart::Edges,
+        this->Shown.HasTranslucent && shown.Part != PicturePart::Inside, shown.IsBlended,
+        shown.ComparesDepths });
   }
   if (output == PassOutput::Occluder)
   {

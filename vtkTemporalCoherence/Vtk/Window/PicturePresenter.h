@@ -23,6 +23,14 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
+/// The part of a picture of opaque surfaces.
+enum class PicturePart : std::uint8_t
+{
+  All,
+  Inside, ///< all but edges
+  Edges   ///< pixels that are covered in part
+};
+
 /// A frame that fills a viewport.
 struct ShownFrame
 {
@@ -32,6 +40,7 @@ struct ShownFrame
   std::uint64_t Number;       ///< changes whenever the frame or the view does
   bool IsBlended = false;     ///< it shows a blended volume, not surfaces
   bool ComparesDepths = true; ///< false if its rays end at the window's props already
+  PicturePart Part = PicturePart::All;
 };
 
 /// Draws a finished frame into the renderer's window: colour and depth as two textures on one quad,

@@ -22,18 +22,27 @@ std::size_t PlaceOf(const Frame& frame, int x, int y)
     static_cast<std::size_t>(x);
 }
 
+/// True if a tile shows anything: a hit, or an edge beside one.
 bool HasHits(const Frame& frame, std::int64_t tile)
 {
-  if (frame.ClearTiles[static_cast<std::size_t>(tile)])
+  if (frame.ClearTiles[static_cast<std::size_t>(tile)] && !frame.IsAntialiased())
   {
     return false;
   }
   const PixelRect part = PixelsOfTile(frame.Size, tile);
   for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
   {
-    const std::int16_t* const row = &frame.Isovalues[PlaceOf(frame, part.First.x, y)];
+    const std::size_t first = PlaceOf(frame, part.First.x, y);
+    const std::int16_t* const row = &frame.Isovalues[first];
     if (std::any_of(
           row, row + part.Size.x, [](std::int16_t surface) { return surface != Frame::NoSurface; }))
+    {
+      return true;
+    }
+    const PixelColor* const colors = &frame.ShownColors()[first];
+    if (frame.IsAntialiased() &&
+      std::any_of(
+        colors, colors + part.Size.x, [](const PixelColor& color) { return color[3] != 0; }))
     {
       return true;
     }
@@ -103,6 +112,28 @@ float WindowDepthOf(const View& view, const glm::ivec2& pixel, double t)
 namespace
 {
 
+/// The depth of the background.
+constexpr float FarthestDepth = 1.0f;
+
+/// The depth of an edge, of a pixel whose own ray misses: that of the nearest hit beside it.
+float DepthBeside(const Frame& frame, const View& view, const glm::ivec2& ray)
+{
+  float nearest = FarthestDepth;
+  const glm::ivec2 first = glm::max(ray - 1, 0), last = glm::min(ray + 1, frame.Size - 1);
+  for (int y = first.y; y <= last.y; ++y)
+  {
+    for (int x = first.x; x <= last.x; ++x)
+    {
+      const std::size_t place = PlaceOf(frame, x, y);
+      if (frame.Isovalues[place] != Frame::NoSurface)
+      {
+        nearest = std::min(nearest, WindowDepthOf(view, { x, y }, frame.Depth[place]));
+      }
+    }
+  }
+  return nearest;
+}
+
 /// Work on the rows of a rectangle in parallel.
 /// \param work is called with the row and the position of its first pixel in the rectangle's arrays
 template <typename Work>
@@ -143,14 +174,16 @@ void TakeRays(const Frame& frame, const View& view, WindowPicture& picture, Pixe
     [&](int y, std::size_t to)
     {
       const std::size_t from = PlaceOf(frame, rect.First.x, y);
-      std::copy_n(&frame.Colors[from], rect.Size.x, &picture.Colors[to]);
+      std::copy_n(&frame.ShownColors()[from], rect.Size.x, &picture.Colors[to]);
       kinds.See(&picture.Colors[to], rect.Size.x);
       for (int x = 0; x < rect.Size.x; ++x)
       {
         const auto column = static_cast<std::size_t>(x);
-        picture.Depths[to + column] = frame.Isovalues[from + column] == Frame::NoSurface
-          ? 1.0f
-          : WindowDepthOf(view, { rect.First.x + x, y }, frame.Depth[from + column]);
+        const glm::ivec2 ray(rect.First.x + x, y);
+        const bool isHit = frame.Isovalues[from + column] != Frame::NoSurface;
+        picture.Depths[to + column] = isHit ? WindowDepthOf(view, ray, frame.Depth[from + column])
+          : picture.Colors[to + column][3] != 0 ? DepthBeside(frame, view, ray)
+                                                : FarthestDepth;
       }
     });
 }
@@ -169,11 +202,14 @@ void TakeMeans(const Frame& frame, const View& view, WindowPicture& picture, Pix
         const glm::ivec2 pixel(rect.First.x + x, y);
         const std::size_t place = to + static_cast<std::size_t>(x);
         const std::optional<glm::ivec2> shown = rays.Shown(frame, pixel);
-        picture.Colors[place] =
-          shown ? rays.MeanColor(frame.Colors.data(), all, pixel) : PixelColor{};
+        PixelColor& color = picture.Colors[place];
+        color = shown || frame.IsAntialiased()
+          ? rays.MeanColor(frame.ShownColors().data(), all, pixel)
+          : PixelColor{};
         picture.Depths[place] = shown
           ? WindowDepthOf(view, *shown, frame.Depth[PlaceOf(frame, shown->x, shown->y)])
-          : 1.0f;
+          : color[3] != 0 ? DepthBeside(frame, view, rays.AtCentre(pixel))
+                          : FarthestDepth;
       }
       kinds.See(&picture.Colors[to], rect.Size.x);
     });

@@ -116,12 +116,15 @@ set(engine_files
   Kinds/UniformKind
   Render/BlendRoute
   Render/CapTiles
+  Render/FewerRaysRoute
   Render/FrameRenderer
   Render/FrameStore
   Render/FrameStructures
   Render/IsomapRoute
   Render/LayerLimit
   Render/LineTracer
+  Render/RayBudget
+  Render/RayGrid
   Render/ReusePlan
   Render/Routes
   Render/SampleDistance

@@ -149,7 +149,7 @@ public:
   vtkGetMacro(LightRadius, double);
   //@}
 
-  /** False if rendering the last frame again would make its light better. */
+  /** False if rendering the last frame again would make it better: its light, or pixels between rays. */
   bool GetFrameIsFinal();
 
   //@{
@@ -218,9 +218,14 @@ public:
   //@{
   /**
    * Set the distance between rays in windows, in pixels along each axis: 0.1 to 100, default 1. NaN
-   * is an error. AutoAdjustSampleDistances (default: off) chooses the distance, between the minimum
-   * (default 1) and the maximum (default 10), to fit a frame into
-   * vtkVolume::GetAllocatedRenderTime().
+   * is an error.
+   *
+   * With AutoAdjustSampleDistances (default: on), a frame of an interaction that would not be there
+   * within vtkVolume::GetAllocatedRenderTime() traces fewer of these rays: on a grid whose rays lie up
+   * to MaximumImageSampleDistance (default: 10) rays apart. Pixels between them are interpolated.
+   * Where that is worst, all rays are traced, as many as there is time for. The next frame of the
+   * same view traces the missing ones. Then the picture is the exact one. Off: every frame traces
+   * all rays. MinimumImageSampleDistance has no effect.
    */
   void SetImageSampleDistance(float pixels) override;
   void SetMinimumImageSampleDistance(float pixels) override;
@@ -351,7 +356,9 @@ public:
     ROUTE_IMAGE_CACHE = 6, ///< the view changed (PAPER): rays start from a cached image
     ROUTE_TIME_STEP,       ///< samples changed: pixels that no changed sample affects are copied
     ROUTE_RECOMPOSITE,     ///< only opacities changed: known layers are composited again
-    ROUTE_KEEP_VALUES = 10 ///< only colours of a projection changed: known values are coloured
+    ROUTE_KEEP_VALUES = 10, ///< only colours of a projection changed: known values are coloured
+    ROUTE_FEWER_RAYS, ///< some rays are traced, and pixels between them are interpolated
+    ROUTE_REFINE      ///< nothing changed: tiles between rays are traced
   };
 
   /** The work of the last frame to set up its mesh. */

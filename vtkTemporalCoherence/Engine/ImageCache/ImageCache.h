@@ -20,6 +20,9 @@ struct CachedImage
   FrameKey Key;
   Frame Picture;
   bool IsExact = true; ///< bit-identical to the cold picture of its key
+  /// For each tile: how far its pixels may be off because they lie between rays; 0 if every pixel has
+  /// a ray of its own. Empty if that holds for all tiles.
+  std::vector<float> Doubts;
 };
 
 /// True if a picture made for `cached` shows where space is free of the surfaces of `next`.

@@ -10,8 +10,24 @@
 #include "Render/ReusePlan.h"
 #include "Shade/Light/SurfaceLight.h"
 
+#include <cstdint>
+#include <functional>
+#include <limits>
+
 namespace TemporalCoherence
 {
+
+/// A frame from fewer rays: they lie on a grid, the pixels between them are interpolated, and the
+/// tiles where that is worst are traced whole.
+struct FewerRays
+{
+  double Distance = 1.0; ///< pixels between rays along each axis; 1: each pixel has a ray
+  std::int64_t Tiles = std::numeric_limits<std::int64_t>::max(); ///< most tiles to trace whole
+  /// Asked before each of these tiles, in any thread. False: no further one. May be null.
+  std::function<bool()> HasTime;
+
+  bool AreAsked() const { return this->Distance > 1.0; }
+};
 
 /// Options for making frames.
 struct FrameOptions
@@ -25,6 +41,7 @@ struct FrameOptions
   Isomap::Options Map;
   LayerOptions Layers;
   LightOptions Light;
+  FewerRays Fewer;
   bool ReportsTiles = false; ///< trace tiles in parts, with a progress report before each part
 };
 

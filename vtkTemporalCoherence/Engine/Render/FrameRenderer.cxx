@@ -50,6 +50,7 @@ bool FrameRenderer::Render(
       return false;
     }
     this->Finish(route, task);
+    statistics.IsFinal = this->Store.Last().Doubts.empty();
     if (light)
     {
       statistics.IsFinal = light->IsFinal();
@@ -119,6 +120,10 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       return CompositeKnownLayers(task);
     case Route::KeepValues:
       return BlendKnownValues(task);
+    case Route::FewerRays:
+      return TraceFewerRays(task, this->Grid);
+    case Route::Refine:
+      return TraceBetweenRays(task);
     case Route::Cold:
       break;
   }
@@ -142,9 +147,11 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
 Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const
 {
   const CachedImage& last = this->Store.Last();
+  ReuseSwitches switches = options.Reuse;
+  switches.FewerRays = CanHaveFewerRays(key, options);
   if (last.Picture.IsEmpty())
   {
-    return Route::Cold;
+    return switches.FewerRays ? Route::FewerRays : Route::Cold;
   }
   const bool isExactAsked = options.Accuracy == ReuseAccuracy::Exact;
   HeldForReuse held;
@@ -155,8 +162,8 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   held.Isomap = this->Map.Covers(key, options.Map);
   held.ShareToTrace = this->Changes.ShareToTrace();
   held.IsLightFinal = this->OfLastFrame.IsFinal;
-  held.Values = !last.Picture.Met.empty();
-  ReuseSwitches switches = options.Reuse;
+  held.IsBetweenRays = !last.Doubts.empty();
+  held.Values = !last.Picture.Met.empty() && !held.IsBetweenRays;
   // A picture from an isomap does not serve a request with another tolerance.
   switches.RefineWhenStill |= !(this->LastForm == Isomap::FormFor(key, options.Map));
   switches.RefineWhenStill |= isExactAsked || !switches.Frames;

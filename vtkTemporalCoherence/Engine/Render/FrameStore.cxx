@@ -36,6 +36,7 @@ void FrameStore::Begin(const FrameKey& key, const FrameExtras& extras)
   next.Picture.IsFromCache = false;
   next.Key = key;
   next.IsExact = true;
+  next.Doubts.clear();
 }
 
 void FrameStore::Finish(const ImageCache::Options& options)

@@ -21,7 +21,9 @@ enum class Route : std::uint8_t
   ImageCache = 6, ///< another view: a cached image tells where walks may begin
   TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
   Recomposite,    ///< only opacities changed: known layers are composited again
-  KeepValues = 10 ///< only a projection's colours changed: known values get colours
+  KeepValues = 10, ///< only a projection's colours changed: known values get colours
+  FewerRays,       ///< some rays are traced, and pixels between them are interpolated
+  Refine           ///< nothing changed: tiles between rays are traced
 };
 
 /// The route's name as in the documentation, for example "Cold".
@@ -33,6 +35,7 @@ struct ReuseSwitches
   bool Frames = true; ///< all earlier pictures
   bool Isomap = true;
   bool RefineWhenStill = true; ///< a repeated view ends in the cold picture
+  bool FewerRays = false;      ///< a frame that would trace all rays traces fewer
 };
 
 /// The data available for the next frame.
@@ -45,6 +48,7 @@ struct HeldForReuse
   bool CanBuildIsomap = true; ///< data and memory allow one
   double ShareToTrace = 1.0;  ///< share of the tiles that changed samples affect; 1 if unknown
   bool IsLightFinal = true;   ///< more rays would not change the light of the last picture
+  bool IsBetweenRays = false; ///< some tiles of the last picture lie between rays
   bool Values = false;        ///< the last frame keeps the values that a projection's rays met
 };
 

@@ -70,11 +70,12 @@ class CompositeTracer final
   , private VolumeCells
 {
 public:
-  explicit CompositeTracer(const BlendScene& scene)
+  CompositeTracer(const BlendScene& scene, const KeptTables& kept)
     : Samples(scene.Key.Samples)
     , Look(scene.Key.Blended().Looks.front())
-    , Tables(Look, MostDepth / ShortestEdge(scene))
-    , Arcs(Tables, ArcTolerance / ShortestEdge(scene))
+    , Kept(kept)
+    , Tables(Kept->Tables)
+    , Arcs(Kept->Arcs)
     , Reader(Samples, Tables.Low, Tables.PerValue)
     , Cells(Samples, Tables.Low, Tables.PerValue)
     , ByGradient(Look.ByGradient)
@@ -168,11 +169,6 @@ private:
                           [&](std::size_t ray) { return seen.Passed[ray] > LeastPassed; });
   }
 
-  static double ShortestEdge(const BlendScene& scene)
-  {
-    return scene.Key.Samples.Shape->VoxelSizeIn(scene.Key.Transform).Shortest;
-  }
-
   /// Matrix from gradients in index space to normals in the world, of about the same length.
   static glm::mat3 NormalMatrix(const IndexTransform& transform)
   {
@@ -215,8 +211,9 @@ private:
 
   const Field& Samples;
   const ComponentLook& Look;
-  TransferTables Tables;
-  EmissionArcs Arcs;
+  KeptTables Kept;
+  const TransferTables& Tables;
+  const EmissionArcs& Arcs;
   SegmentReader<T> Reader;
   CellReader<T> Cells;
   GradientTable ByGradient;
@@ -232,11 +229,30 @@ private:
 
 }
 
-std::shared_ptr<const BlendTracer> MakeCompositeTracer(const BlendScene& scene)
+CompositeTables::CompositeTables(const ComponentLook& look, double shortest)
+  : Look(look)
+  , ShortestEdge(shortest)
+  , Tables(look, MostDepth / shortest)
+  , Arcs(Tables, ArcTolerance / shortest)
 {
+}
+
+std::shared_ptr<const BlendTracer> MakeCompositeTracer(const BlendScene& scene, KeptTables* kept)
+{
+  const ComponentLook& look = scene.Key.Blended().Looks.front();
+  const double shortest = scene.Key.Samples.Shape->VoxelSizeIn(scene.Key.Transform).Shortest;
+  KeptTables tables = kept ? *kept : nullptr;
+  if (!tables || !tables->AreOf(look, shortest))
+  {
+    tables = std::make_shared<const CompositeTables>(look, shortest);
+  }
+  if (kept)
+  {
+    *kept = tables;
+  }
   return DispatchScalarType(scene.Key.Samples.Type,
     [&](auto type) -> std::shared_ptr<const BlendTracer>
-    { return std::make_shared<CompositeTracer<decltype(type)>>(scene); });
+    { return std::make_shared<CompositeTracer<decltype(type)>>(scene, tables); });
 }
 
 }

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RayGrid_h
+#define TemporalCoherence_RayGrid_h
+
+#include "Acceleration/TileBounds.h"
+#include "Scene/FrameKey.h"
+#include "Scene/FramePlanes.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// The key of a picture with fewer rays in the same view.
+/// \param rays along each axis
+/// \throws std::bad_alloc
+FrameKey KeyOfGrid(const FrameKey& key, const glm::ivec2& rays);
+
+/// A picture with fewer rays than pixels, and what it tells about the pixels between the rays.
+///
+/// Colours are interpolated bilinearly between four rays. Depths and normals are, too, if all four
+/// rays meet one surface. Else they are those of the nearest ray that meets any. All weights are
+/// whole numbers of 256ths.
+class RayGrid
+{
+public:
+  /// \param picture with fewer rays; must outlive this, as the key of the whole picture
+  RayGrid(const Frame& picture, const FrameKey& key);
+
+  /// How far the pixels of each tile may be off: the mean difference between a ray's colour and the
+  /// mean of its four neighbours. More than 0.
+  /// \throws std::bad_alloc
+  std::vector<float> FindDoubts() const;
+
+  /// Write a tile between rays into the planes of a frame. Thread-safe.
+  /// \throws std::bad_alloc
+  TraceCounts Fill(std::int64_t tile, const PixelRect& part, Frame& frame) const;
+
+private:
+  /// The two rays around a pixel along an axis, and the weight of the second one in 256ths.
+  struct Place
+  {
+    int First, Second, Weight;
+  };
+  /// Four rays around a pixel, and their weights in 65536ths.
+  struct Corners
+  {
+    std::array<std::size_t, 4> Ray;
+    std::array<int, 4> Weight;
+  };
+
+  static std::vector<Place> PlacesOf(int pixels, int rays);
+  Corners CornersOf(int x, int y) const;
+  PixelRect RaysAround(const PixelRect& part) const;
+  bool ShowsAnything(const PixelRect& part) const;
+  bool MeetOneSurface(const Corners& corners) const;
+  std::vector<float> FindBends() const;
+  static void FillMiss(std::size_t pixel, Frame& frame);
+  bool FillPixel(const Corners& corners, std::size_t pixel, Frame& frame) const;
+
+  const Frame& Picture;
+  const FrameKey& Key;
+  std::vector<Place> Columns, Rows;
+  double Spacing;     ///< of rays in the world, where they begin
+  double PerDistance; ///< and what each unit of distance adds
+};
+
+}
+
+#endif

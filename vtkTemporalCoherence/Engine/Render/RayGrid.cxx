@@ -100,19 +100,16 @@ std::vector<RayGrid::Place> RayGrid::PlacesOf(int pixels, int rays)
   return places;
 }
 
-RayGrid::Corners RayGrid::CornersOf(int x, int y) const
+/// The end of the pixels that lie between the same rays as pixel `first`.
+int RayGrid::EndOf(const std::vector<Place>& places, int first, int end)
 {
-  const Place &column = this->Columns[static_cast<std::size_t>(x)],
-              &row = this->Rows[static_cast<std::size_t>(y)];
-  const std::size_t below = PlaceOf(this->Picture, 0, row.First);
-  const std::size_t above = PlaceOf(this->Picture, 0, row.Second);
-  const auto left = static_cast<std::size_t>(column.First);
-  const auto right = static_cast<std::size_t>(column.Second);
-  const int rightWeight = column.Weight, leftWeight = 256 - rightWeight;
-  const int aboveWeight = row.Weight, belowWeight = 256 - aboveWeight;
-  return { { below + left, below + right, above + left, above + right },
-    { leftWeight * belowWeight, rightWeight * belowWeight, leftWeight * aboveWeight,
-      rightWeight * aboveWeight } };
+  const auto at = [&](int pixel) { return places[static_cast<std::size_t>(pixel)].First; };
+  int next = first + 1;
+  while (next < end && at(next) == at(first))
+  {
+    ++next;
+  }
+  return next;
 }
 
 /// The mean difference between a ray's colour and the mean of its neighbours, for each ray.
@@ -183,21 +180,55 @@ std::vector<float> RayGrid::FindDoubts() const
   return doubts;
 }
 
-bool RayGrid::MeetOneSurface(const Corners& corners) const
+/// The four rays around some pixels.
+struct RayGrid::Cell
+{
+  /// Left to right, then upwards.
+  std::array<std::size_t, 4> Ray;
+  std::array<std::array<float, 4>, 4> Color; ///< of each ray, by channel
+  std::array<double, 4> Depth;
+  std::array<bool, 4> IsHit;
+  bool ShowsAnything = false;
+  bool IsOneSurface = false; ///< all rays meet one, which is not seen too steeply
+
+  /// The ray with the largest weight among those that meet anything.
+  std::size_t Nearest(const std::array<float, 4>& weights) const
+  {
+    std::size_t nearest = 4;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      nearest = this->IsHit[i] && (nearest == 4 || weights[i] > weights[nearest]) ? i : nearest;
+    }
+    return nearest;
+  }
+};
+
+RayGrid::Cell RayGrid::CellBetween(const Place& column, const Place& row) const
 {
   const Frame& from = this->Picture;
-  const std::int16_t surface = from.Isovalues[corners.Ray[0]];
-  double near = from.Depth[corners.Ray[0]], far = near;
-  for (const std::size_t ray : corners.Ray)
+  const std::size_t below = PlaceOf(from, 0, row.First), above = PlaceOf(from, 0, row.Second);
+  const auto left = static_cast<std::size_t>(column.First);
+  const auto right = static_cast<std::size_t>(column.Second);
+  Cell cell;
+  cell.Ray = { below + left, below + right, above + left, above + right };
+  const std::int16_t surface = from.Isovalues[cell.Ray[0]];
+  cell.IsOneSurface = surface != Frame::NoSurface;
+  for (std::size_t i = 0; i < 4; ++i)
   {
-    if (surface == Frame::NoSurface || from.Isovalues[ray] != surface)
+    const std::size_t ray = cell.Ray[i];
+    for (std::size_t channel = 0; channel < 4; ++channel)
     {
-      return false;
+      cell.Color[i][channel] = from.Colors[ray][channel];
     }
-    near = std::min(near, from.Depth[ray]);
-    far = std::max(far, from.Depth[ray]);
+    cell.Depth[i] = from.Depth[ray];
+    cell.IsHit[i] = from.Isovalues[ray] != Frame::NoSurface;
+    cell.ShowsAnything |= cell.IsHit[i];
+    cell.IsOneSurface &= from.Isovalues[ray] == surface;
   }
-  return far - near <= Steepest * (this->Spacing + this->PerDistance * std::abs(far));
+  const auto [near, far] = std::minmax_element(cell.Depth.begin(), cell.Depth.end());
+  cell.IsOneSurface = cell.IsOneSurface &&
+    *far - *near <= Steepest * (this->Spacing + this->PerDistance * std::abs(*far));
+  return cell;
 }
 
 /// Write a pixel that shows nothing.
@@ -211,59 +242,78 @@ void RayGrid::FillMiss(std::size_t pixel, Frame& frame)
   frame.Kinds[pixel] = HitKind::None;
 }
 
+/// \param weights of the rays, in 65536ths. Sums of such multiples of bytes are exact in floats
 /// \return true if the pixel shows anything
-bool RayGrid::FillPixel(const Corners& corners, std::size_t pixel, Frame& frame) const
+bool RayGrid::FillPixel(
+  const Cell& cell, const std::array<float, 4>& weights, std::size_t pixel, Frame& frame) const
 {
-  const Frame& from = this->Picture;
-  int nearest = -1, weightOfNearest = -1;
-  for (int i = 0; i < 4; ++i)
-  {
-    const auto at = static_cast<std::size_t>(i);
-    const bool isHit = from.Isovalues[corners.Ray[at]] != Frame::NoSurface;
-    if (isHit && corners.Weight[at] > weightOfNearest)
-    {
-      nearest = i;
-      weightOfNearest = corners.Weight[at];
-    }
-  }
-  std::array<std::uint8_t, 4> color{};
+  std::array<std::uint8_t, 4> color;
   int all = 0;
-  for (std::size_t channel = 0; channel < 4 && nearest >= 0; ++channel)
+  for (std::size_t channel = 0; channel < 4; ++channel)
   {
-    int sum = 1 << 15;
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      sum += corners.Weight[i] * from.Colors[corners.Ray[i]][channel];
-    }
-    color[channel] = static_cast<std::uint8_t>(sum >> 16);
-    all += color[channel];
+    const float sum = 32768.0f + weights[0] * cell.Color[0][channel] +
+      weights[1] * cell.Color[1][channel] + weights[2] * cell.Color[2][channel] +
+      weights[3] * cell.Color[3][channel];
+    const auto byte = static_cast<int>(sum * (1.0f / 65536));
+    color[channel] = static_cast<std::uint8_t>(byte);
+    all |= byte;
   }
   if (all == 0)
   {
     FillMiss(pixel, frame);
     return false;
   }
-  const std::size_t ray = corners.Ray[static_cast<std::size_t>(nearest)];
+  const Frame& from = this->Picture;
+  const std::size_t nearest = cell.Nearest(weights), ray = cell.Ray[nearest];
+  double depth = cell.Depth[nearest];
+  if (cell.IsOneSurface)
+  {
+    depth = 0.0;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      depth += static_cast<double>(weights[i]) * (1.0 / 65536) * cell.Depth[i];
+    }
+  }
   frame.Answers[pixel] = Answer::DefiniteHit;
   frame.Colors[pixel] = color;
-  frame.Depth[pixel] = from.Depth[ray];
+  frame.Depth[pixel] = depth;
   frame.Normals[pixel] = from.Normals[ray];
   frame.Isovalues[pixel] = from.Isovalues[ray];
   frame.Kinds[pixel] = from.Kinds[ray];
-  if (this->MeetOneSurface(corners))
-  {
-    double depth = 0.0;
-    glm::vec3 normal(0.0f);
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      depth += corners.Weight[i] * (1.0 / 65536) * from.Depth[corners.Ray[i]];
-      normal += static_cast<float>(corners.Weight[i]) * from.Normals[corners.Ray[i]];
-    }
-    const float length = glm::length(normal);
-    frame.Depth[pixel] = depth;
-    frame.Normals[pixel] = length > 0.0f ? normal / length : frame.Normals[pixel];
-  }
   return true;
+}
+
+/// Fill the pixels of a tile between four rays.
+/// \param between the pixels
+/// \return those that show anything, as bits of the tile
+std::uint64_t RayGrid::FillCell(
+  const PixelRect& between, const PixelRect& part, Frame& frame) const
+{
+  const Place& column = this->Columns[static_cast<std::size_t>(between.First.x)];
+  const Cell cell =
+    this->CellBetween(column, this->Rows[static_cast<std::size_t>(between.First.y)]);
+  std::uint64_t seen = 0;
+  for (int y = between.First.y; y < between.First.y + between.Size.y; ++y)
+  {
+    const std::size_t line = PlaceOf(frame, 0, y);
+    const int above = this->Rows[static_cast<std::size_t>(y)].Weight;
+    for (int x = between.First.x; x < between.First.x + between.Size.x; ++x)
+    {
+      const std::size_t pixel = line + static_cast<std::size_t>(x);
+      if (!cell.ShowsAnything)
+      {
+        FillMiss(pixel, frame);
+        continue;
+      }
+      const int right = this->Columns[static_cast<std::size_t>(x)].Weight;
+      const std::array<float, 4> weights{ static_cast<float>((256 - right) * (256 - above)),
+        static_cast<float>(right * (256 - above)), static_cast<float>((256 - right) * above),
+        static_cast<float>(right * above) };
+      const int bit = (y - part.First.y) * part.Size.x + x - part.First.x;
+      seen |= std::uint64_t(this->FillPixel(cell, weights, pixel, frame)) << bit;
+    }
+  }
+  return seen;
 }
 
 /// True if a ray around a tile meets anything.
@@ -301,14 +351,19 @@ TraceCounts RayGrid::Fill(std::int64_t tile, const PixelRect& part, Frame& frame
   }
   frame.ClearTiles[place] = 0;
   std::uint64_t seen = 0;
-  for (int i = 0; i < pixels; ++i)
+  const glm::ivec2 end = part.First + part.Size;
+  glm::ivec2 next(part.First);
+  for (int y = part.First.y; y < end.y; y = next.y)
   {
-    const int x = part.First.x + i % part.Size.x, y = part.First.y + i / part.Size.x;
-    const std::size_t pixel = PlaceOf(frame, x, y);
-    seen |= std::uint64_t(this->FillPixel(this->CornersOf(x, y), pixel, frame)) << i;
-    if (!frame.Cells.empty())
+    next.y = EndOf(this->Rows, y, end.y);
+    for (int x = part.First.x; x < end.x; x = next.x)
     {
-      frame.Cells[pixel] = NoCell;
+      next.x = EndOf(this->Columns, x, end.x);
+      seen |= this->FillCell({ { x, y }, next - glm::ivec2(x, y) }, part, frame);
+    }
+    for (int line = y; line < next.y && !frame.Cells.empty(); ++line)
+    {
+      std::fill_n(&frame.Cells[PlaceOf(frame, part.First.x, line)], part.Size.x, NoCell);
     }
   }
   if (hasLayers)

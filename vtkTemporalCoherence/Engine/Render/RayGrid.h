@@ -21,9 +21,9 @@ FrameKey KeyOfGrid(const FrameKey& key, const glm::ivec2& rays);
 
 /// A picture with fewer rays than pixels, and what it tells about the pixels between the rays.
 ///
-/// Colours are interpolated bilinearly between four rays. Depths and normals are, too, if all four
-/// rays meet one surface. Else they are those of the nearest ray that meets any. All weights are
-/// whole numbers of 256ths.
+/// Colours are interpolated bilinearly between four rays. Depths are, too, if all four rays meet one
+/// surface. Else they are those of the nearest ray that meets any, as normals always are. All weights
+/// are whole numbers of 256ths.
 class RayGrid
 {
 public:
@@ -45,21 +45,18 @@ private:
   {
     int First, Second, Weight;
   };
-  /// Four rays around a pixel, and their weights in 65536ths.
-  struct Corners
-  {
-    std::array<std::size_t, 4> Ray;
-    std::array<int, 4> Weight;
-  };
+  struct Cell;
 
   static std::vector<Place> PlacesOf(int pixels, int rays);
-  Corners CornersOf(int x, int y) const;
+  static int EndOf(const std::vector<Place>& places, int first, int end);
   PixelRect RaysAround(const PixelRect& part) const;
   bool ShowsAnything(const PixelRect& part) const;
-  bool MeetOneSurface(const Corners& corners) const;
   std::vector<float> FindBends() const;
+  Cell CellBetween(const Place& column, const Place& row) const;
   static void FillMiss(std::size_t pixel, Frame& frame);
-  bool FillPixel(const Corners& corners, std::size_t pixel, Frame& frame) const;
+  bool FillPixel(
+    const Cell& cell, const std::array<float, 4>& weights, std::size_t pixel, Frame& frame) const;
+  std::uint64_t FillCell(const PixelRect& between, const PixelRect& part, Frame& frame) const;
 
   const Frame& Picture;
   const FrameKey& Key;

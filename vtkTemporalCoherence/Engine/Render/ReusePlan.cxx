@@ -59,7 +59,8 @@ Route PlanWhole(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
     return PlanVolume(change, last, next, switches, held);
   }
   const bool isSame = !change.Data && !change.View && !change.Surfaces && !change.Opacity;
-  if (isSame && (held.IsExact || !switches.RefineWhenStill))
+  const bool refines = switches.RefineWhenStill || held.IsBetweenRays;
+  if (isSame && (held.IsExact || !refines))
   {
     return change.Appearance || !held.IsLightFinal ? Route::Reshade : Route::Redisplay;
   }

@@ -121,10 +121,12 @@ set(engine_files
   Render/FrameStore
   Render/FrameStructures
   Render/IsomapRoute
+  Render/GridKey
   Render/LayerLimit
   Render/LineTracer
   Render/RayBudget
   Render/RayGrid
+  Render/RayGridFill
   Render/ReusePlan
   Render/Routes
   Render/SampleDistance

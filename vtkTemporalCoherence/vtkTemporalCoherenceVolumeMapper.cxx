@@ -38,10 +38,9 @@ TemporalCoherence::FrameSight FinestSight(
   }
   glm::ivec2 size, origin;
   renderer->GetTiledSizeAndOrigin(&size.x, &size.y, &origin.x, &origin.y);
-  const double distance = std::max<double>(
-    mapper.GetImageSampleDistance(), TemporalCoherence::FinestDistance(size));
-  return { renderer, TemporalCoherence::RaysFor(size, distance),
-    renderer->GetTiledAspectRatio() };
+  const double distance =
+    std::max<double>(mapper.GetImageSampleDistance(), TemporalCoherence::FinestDistance(size));
+  return { renderer, TemporalCoherence::RaysFor(size, distance), renderer->GetTiledAspectRatio() };
 }
 
 }

@@ -149,7 +149,7 @@ public:
   vtkGetMacro(LightRadius, double);
   //@}
 
-  /** False if rendering the last frame again would make it better: its light, or pixels between rays. */
+  /** False if rendering the last frame again would make it better: light, or interpolated pixels. */
   bool GetFrameIsFinal();
 
   //@{
@@ -220,12 +220,12 @@ public:
    * Set the distance between rays in windows, in pixels along each axis: 0.1 to 100, default 1. NaN
    * is an error.
    *
-   * With AutoAdjustSampleDistances (default: on), a frame of an interaction that would not be there
-   * within vtkVolume::GetAllocatedRenderTime() traces fewer of these rays: on a grid whose rays lie up
-   * to MaximumImageSampleDistance (default: 10) rays apart. Pixels between them are interpolated.
-   * Where that is worst, all rays are traced, as many as there is time for. The next frame of the
-   * same view traces the missing ones. Then the picture is the exact one. Off: every frame traces
-   * all rays. MinimumImageSampleDistance has no effect.
+   * AutoAdjustSampleDistances (default: on) keeps interaction smooth. A frame that takes longer
+   * than vtkVolume::GetAllocatedRenderTime() traces fewer rays: a grid, whose rays have a distance
+   * of up to MaximumImageSampleDistance rays (default: 10). Pixels between them are interpolated.
+   * Tiles with large errors are traced completely, until time is up. The next frame of the same
+   * view traces the missing tiles, and the picture is exact. Off: every frame traces all rays.
+   * MinimumImageSampleDistance has no effect.
    */
   void SetImageSampleDistance(float pixels) override;
   void SetMinimumImageSampleDistance(float pixels) override;
@@ -357,8 +357,8 @@ public:
     ROUTE_TIME_STEP,       ///< samples changed: pixels that no changed sample affects are copied
     ROUTE_RECOMPOSITE,     ///< only opacities changed: known layers are composited again
     ROUTE_KEEP_VALUES = 10, ///< only colours of a projection changed: known values are coloured
-    ROUTE_FEWER_RAYS, ///< some rays are traced, and pixels between them are interpolated
-    ROUTE_REFINE      ///< nothing changed: tiles between rays are traced
+    ROUTE_FEWER_RAYS,       ///< some rays are traced, and pixels between them are interpolated
+    ROUTE_REFINE            ///< nothing changed: tiles between rays are traced
   };
 
   /** The work of the last frame to set up its mesh. */

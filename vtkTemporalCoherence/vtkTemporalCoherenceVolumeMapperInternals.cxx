@@ -41,9 +41,9 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderForWindow(
   const glm::ivec2 rays =
     this->Rays.For(pixels, static_cast<double>(this->Self->ImageSampleDistance), volume, warning);
   this->Warn(warning);
-  const bool isMade = this->RenderFrame(
-    renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(), renderer->GetRenderWindow(),
-    this->ChooseRays(renderer, volume, rays, allowed));
+  const bool isMade =
+    this->RenderFrame(renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(),
+      renderer->GetRenderWindow(), this->ChooseRays(renderer, volume, rays, allowed));
   if (isMade)
   {
     this->Frames.SetPictureSize(pixels);

@@ -109,7 +109,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     vtkRenderWindow* window, const TemporalCoherence::FewerRays& fewer = {});
 
-  /// The rays that a frame for a window may trace, so that it is there in time.
+  /// Choose how many rays a window's frame traces to finish in time.
   /// \param allowed seconds for it
   TemporalCoherence::FewerRays ChooseRays(
     vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& rays, double allowed) const;

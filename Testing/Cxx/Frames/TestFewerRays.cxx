@@ -8,8 +8,8 @@
 #include "Checks/Stopper.h"
 #include "Scenes/Scene.h"
 #include "Truth/ColdWitness.h"
-#include "Volumes/VtkMeshes.h"
 #include "Volumes/Volumes.h"
+#include "Volumes/VtkMeshes.h"
 
 #include <vtkFloatArray.h>
 #include <vtkFloatingPointExceptions.h>
@@ -98,9 +98,8 @@ std::vector<Kind> AllKinds()
 vtkSmartPointer<vtkDataSet> DataOf(const Kind& kind)
 {
   const vtkSmartPointer<vtkImageData> image = Volumes::FourSpheres(kind.IsMesh ? 14 : 40);
-  return kind.IsMesh
-    ? vtkSmartPointer<vtkDataSet>(VtkMeshes::Unstructured(image, VTK_TETRA))
-    : vtkSmartPointer<vtkDataSet>(image);
+  return kind.IsMesh ? vtkSmartPointer<vtkDataSet>(VtkMeshes::Unstructured(image, VTK_TETRA))
+                     : vtkSmartPointer<vtkDataSet>(image);
 }
 
 struct Stage : Scene
@@ -141,7 +140,8 @@ void TestKind(const Kind& kind)
 {
   Stage stage(kind);
   stage.Draw(Interactive);
-  Expect(IsRoute(stage, "FewerRays") && !stage.Mapper->GetFrameIsFinal(), kind.Name + ": fewer rays");
+  Expect(
+    IsRoute(stage, "FewerRays") && !stage.Mapper->GetFrameIsFinal(), kind.Name + ": fewer rays");
   vtkNew<vtkImageData> shown, depths;
   Expect(stage.GetLastFrame(shown, depths), kind.Name + ": read");
   int picked = 0, seen = 0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Frames are coarser where a distance between rays is set. Where the time that a frame is given asks
-// for it, it has fewer rays.
+// Frames are coarser where a distance between rays is set. Where the time that a frame is given
+// asks for it, it has fewer rays.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A frame from fewer rays is nearer to the cold one than blocks of the same rays. It does not depend
-// on threads, gets better with each further frame, and ends as the cold one. A stop leaves it as it
-// was.
+// A frame from fewer rays is nearer to the cold one than blocks of the same rays. It does not
+// depend on threads, gets better with each further frame, and ends as the cold one. A stop leaves
+// it as it was.
 
 #include "Lattice/Coordinates.h"
 #include "Render/OpacityChanges.h"
@@ -305,7 +305,8 @@ TEST_P(FewerRaysTest, HaveDepthsBetweenThoseOfRays)
       EXPECT_GE(frame.Depth[pixel], nearest - 1.0);
       EXPECT_LE(frame.Depth[pixel], farthest + 1.0);
       ++seen;
-      far += std::isfinite(cold.Depth[pixel]) && std::abs(frame.Depth[pixel] - cold.Depth[pixel]) > 2.0;
+      far +=
+        std::isfinite(cold.Depth[pixel]) && std::abs(frame.Depth[pixel] - cold.Depth[pixel]) > 2.0;
     }
   }
   EXPECT_GT(seen, 1000);

@@ -156,8 +156,7 @@ bool IsTracedWhole(vtkTemporalCoherenceVolumeMapper* mapper)
 void CompareWithImage(World& world, const Oracle& oracle, Tally& tally)
 {
   Picture shown, cold;
-  if (world.HasSilentChange || !shown.Fetch(world.Subject) ||
-    !IsTracedWhole(world.Subject) ||
+  if (world.HasSilentChange || !shown.Fetch(world.Subject) || !IsTracedWhole(world.Subject) ||
     world.Subject->GetImageSampleDistance() != 1.0f ||
     !IsWhole(world.Renderer()->GetRenderWindow()) || !IsAlone(world.Renderer(), world.Volume()))
   {

@@ -326,11 +326,11 @@ void TileBounds::Build(const View& view, const IndexTransform& transform, const 
     });
 }
 
-void TileBounds::Unite(
-  const TileBounds& all, const glm::ivec2& pixels, const glm::ivec2& fewer)
+void TileBounds::Unite(const TileBounds& all, const glm::ivec2& pixels, const glm::ivec2& fewer)
 {
   this->Size = TilesOf(fewer);
-  const auto number = static_cast<std::size_t>(this->Size.x) * static_cast<std::size_t>(this->Size.y);
+  const auto number =
+    static_cast<std::size_t>(this->Size.x) * static_cast<std::size_t>(this->Size.y);
   this->All.assign(number, Bounds());
   for (std::size_t tile = 0; tile < number; ++tile)
   {
@@ -339,8 +339,8 @@ void TileBounds::Unite(
     // The pixels that the tile covers, at least in part.
     const glm::i64vec2 size(pixels), rays(fewer), length(TileSize);
     const glm::ivec2 first((at * length * size / rays) / length);
-    const glm::ivec2 end = glm::min(
-      glm::ivec2(((at + std::int64_t(1)) * length * size / rays) / length) + 1, all.Size);
+    const glm::ivec2 end =
+      glm::min(glm::ivec2(((at + std::int64_t(1)) * length * size / rays) / length) + 1, all.Size);
     Bounds& bounds = this->All[tile];
     for (int y = first.y; y < end.y; ++y)
     {

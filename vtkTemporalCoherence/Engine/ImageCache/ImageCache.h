@@ -20,8 +20,8 @@ struct CachedImage
   FrameKey Key;
   Frame Picture;
   bool IsExact = true; ///< bit-identical to the cold picture of its key
-  /// For each tile: how far its pixels may be off because they lie between rays; 0 if every pixel has
-  /// a ray of its own. Empty if that holds for all tiles.
+  /// For each tile, the expected error of its pixels, in steps of a byte, if they were interpolated
+  /// between rays; 0 for traced tiles. Empty if all tiles were traced.
   std::vector<float> Doubts;
 };
 

@@ -12,8 +12,7 @@ std::shared_ptr<const BandTracer> FieldKind::MakeBandTracer(const BandScene&) co
   return nullptr;
 }
 
-std::shared_ptr<const BlendTracer> FieldKind::MakeBlendTracer(
-  const BlendScene&, KeptTables*) const
+std::shared_ptr<const BlendTracer> FieldKind::MakeBlendTracer(const BlendScene&, KeptTables*) const
 {
   return nullptr;
 }

@@ -42,8 +42,8 @@ public:
 
   /// Make a tracer for blended volumes. Null if the kind can only be drawn by isosurfaces: its
   /// blended volumes show nothing.
-  /// \param kept tables of an earlier tracer, which may serve again; receives this one's. May be null
-  /// \throws std::bad_alloc
+  /// \param kept tables of an earlier tracer, which may serve again; receives this one's. May be
+  /// null \throws std::bad_alloc
   virtual std::shared_ptr<const BlendTracer> MakeBlendTracer(
     const BlendScene& scene, KeptTables* kept) const;
 };

@@ -54,8 +54,8 @@ public:
     , IsAllKnown(last && KnowsAllExtremes(last->MetWithin, Key.Blended()))
     , Rays(Key.View, Key.Transform, Key.Samples.Dimensions, Key.Region)
     , Tracer(Key.Samples.HasCells()
-          ? MakeBlendTracer({ Key, space.Active, &task.Structures.Pyramid() },
-              &task.Structures.TablesOfVolume())
+          ? MakeBlendTracer(
+              { Key, space.Active, &task.Structures.Pyramid() }, &task.Structures.TablesOfVolume())
           : nullptr)
   {
     if (this->Tracer && HasNormals(Key.Blended()))

@@ -13,8 +13,7 @@ namespace TemporalCoherence
 
 /// Makes one tile of a frame. Thread-safe.
 /// \throws std::bad_alloc
-using TileWork =
-  std::function<TraceCounts(std::int64_t tile, const PixelRect& part, Frame& frame)>;
+using TileWork = std::function<TraceCounts(std::int64_t tile, const PixelRect& part, Frame& frame)>;
 
 // How cold frames are made, for routes that make some of their tiles in this way.
 

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/ColdTiles.h"
+#include "Render/GridKey.h"
 #include "Render/RayGrid.h"
 #include "Render/RouteSteps.h"
 #include "Render/Routes.h"
 #include "Render/SampleDistance.h"
+#include "Render/TileLister.h"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <new>
+#include <numeric>
 #include <vector>
 
 namespace TemporalCoherence
@@ -30,8 +30,9 @@ TileWork WorkOf(const FrameTask& task, const LeapedSpace& space)
   return task.Key.IsBlended() ? BlendedWork(task, space) : SurfaceWork(task, space);
 }
 
-/// The tiles of doubt, the worst first.
-std::vector<std::int64_t> SortByDoubt(const std::vector<float>& doubts)
+/// The tiles of doubt.
+/// \param worstFirst else neighbours follow each other, which takes less time
+std::vector<std::int64_t> TilesOfDoubt(const std::vector<float>& doubts, bool worstFirst)
 {
   std::vector<std::int64_t> tiles;
   for (std::size_t tile = 0; tile < doubts.size(); ++tile)
@@ -41,121 +42,14 @@ std::vector<std::int64_t> SortByDoubt(const std::vector<float>& doubts)
       tiles.push_back(static_cast<std::int64_t>(tile));
     }
   }
-  std::stable_sort(tiles.begin(), tiles.end(),
-    [&](std::int64_t a, std::int64_t b)
-    { return doubts[static_cast<std::size_t>(a)] > doubts[static_cast<std::size_t>(b)]; });
+  if (worstFirst)
+  {
+    std::stable_sort(tiles.begin(), tiles.end(),
+      [&](std::int64_t a, std::int64_t b)
+      { return doubts[static_cast<std::size_t>(a)] > doubts[static_cast<std::size_t>(b)]; });
+  }
   return tiles;
 }
-
-/// Works on listed tiles of the frame being made.
-class TileLister
-{
-public:
-  /// \throws std::bad_alloc
-  explicit TileLister(FrameTask& task)
-    : Task(task)
-    , Made(task.Store.Next().Picture)
-    , Limit(task.Options.Layers, Made)
-  {
-  }
-
-  /// Call work(tile, part, frame) for tiles from the front of a list, in parallel, as long as
-  /// goOn() returns true.
-  /// \param report may stop the work; may be null
-  /// \param number receives the number of tiles that are made
-  /// \return false if the report stopped it
-  /// \throws std::bad_alloc
-  template <typename GoOn, typename Work>
-  bool Make(const std::vector<std::int64_t>& tiles, const ReportProgress& report, const GoOn& goOn,
-    const Work& work, std::size_t& number)
-  {
-    constexpr std::size_t parts = 32, smallestPart = 128;
-    const std::size_t inPart = report ? std::max(tiles.size() / parts, smallestPart) : tiles.size();
-    for (number = 0; number < tiles.size();)
-    {
-      if (report && !report(static_cast<double>(number) / static_cast<double>(tiles.size())))
-      {
-        return false;
-      }
-      const std::size_t end = std::min(number + inPart, tiles.size());
-      number = this->MakePart(tiles, number, end, goOn, work);
-      if (number < end)
-      {
-        break;
-      }
-    }
-    return true;
-  }
-
-  /// Limit the layers of the frame once all tiles are made.
-  void Finish() { this->Limit.Finish(this->Made, this->Task.Statistics); }
-
-private:
-  /// \return the position behind the last tile that is made
-  template <typename GoOn, typename Work>
-  std::size_t MakePart(const std::vector<std::int64_t>& tiles, std::size_t first, std::size_t end,
-    const GoOn& goOn, const Work& work)
-  {
-    double seconds = 0.0;
-    TraceCounts sum;
-    std::atomic<std::size_t> next{ first };
-    std::atomic<bool> isStopped{ false }, isOutOfMemory{ false };
-    std::mutex guard;
-    {
-      const Stopwatch watch(seconds);
-      // Threads take tiles in the order of the list, so those that are made are its front.
-      ParallelForRanges(static_cast<std::int64_t>(end - first), TileGrain,
-        [&](std::int64_t begin, std::int64_t last)
-        {
-          TraceCounts counts;
-          const std::int64_t before = TileTimer::Now();
-          for (; begin < last && !isStopped && !isOutOfMemory; ++begin)
-          {
-            if (!goOn())
-            {
-              isStopped = true;
-              break;
-            }
-            try
-            {
-              counts += this->MakeTile(tiles[next++], work);
-            }
-            catch (const std::bad_alloc&)
-            {
-              isOutOfMemory = true; // not every kind of threads passes exceptions on
-            }
-          }
-          counts.GroupTime = TileTimer::Now() - before;
-          const std::lock_guard<std::mutex> lock(guard);
-          sum += counts;
-        });
-    }
-    if (isOutOfMemory)
-    {
-      throw std::bad_alloc();
-    }
-    this->Task.Statistics.Add(sum, seconds);
-    return next;
-  }
-
-  template <typename Work>
-  TraceCounts MakeTile(std::int64_t tile, const Work& work)
-  {
-    std::int64_t nanoseconds = 0;
-    TraceCounts counts;
-    {
-      const TileTimer timer(tile, nanoseconds);
-      counts = work(tile, PixelsOfTile(this->Made.Size, tile), this->Made);
-    }
-    counts.TileTime += nanoseconds;
-    this->Limit.Take(tile, this->Made);
-    return counts;
-  }
-
-  FrameTask& Task;
-  Frame& Made;
-  LayerLimit Limit;
-};
 
 /// Make the frame: trace tiles of doubt, the worst first, as many as there may be. Call
 /// fill(tile, part, frame) for all others.
@@ -167,7 +61,7 @@ bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& w
 {
   const FewerRays& fewer = task.Options.Fewer;
   const bool areFewer = fewer.AreAsked();
-  std::vector<std::int64_t> worst = SortByDoubt(doubts);
+  std::vector<std::int64_t> worst = TilesOfDoubt(doubts, areFewer);
   if (areFewer && fewer.Tiles < static_cast<std::int64_t>(worst.size()))
   {
     worst.resize(static_cast<std::size_t>(std::max<std::int64_t>(fewer.Tiles, 0)));
@@ -175,7 +69,7 @@ bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& w
   TileLister lister(task);
   std::size_t traced = 0;
   const auto goOn = [&]() { return !areFewer || !fewer.HasTime || fewer.HasTime(); };
-  if (!lister.Make(worst, report, goOn, work, traced))
+  if (!lister.MakeFront(worst, report, goOn, work, traced))
   {
     return false;
   }
@@ -195,12 +89,13 @@ bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& w
     }
   }
   const double before = task.Statistics.TilesTime;
-  lister.Make(others, {}, []() { return true; }, fill, traced);
+  lister.MakeAll(others, fill);
   task.Statistics.FillTime = task.Statistics.TilesTime - before;
   task.Statistics.TilesTime = before;
   lister.Finish();
   CachedImage& made = task.Store.Next();
-  made.IsExact = std::all_of(doubts.begin(), doubts.end(), [](float doubt) { return doubt == 0.0f; });
+  made.IsExact =
+    std::all_of(doubts.begin(), doubts.end(), [](float doubt) { return doubt == 0.0f; });
   made.Doubts = made.IsExact ? std::vector<float>() : doubts;
   return true;
 }
@@ -223,10 +118,18 @@ bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, F
     PartOf(task.Report, 0.0, ShareOfGrid) };
   {
     const Stopwatch watch(sum.GridTime);
-    if (!MakeTiles(ofGrid, WorkOf(ofGrid, { whole.Active, &bounds })))
+    // One by one: a grid has too few tiles for groups.
+    std::vector<std::int64_t> tiles(static_cast<std::size_t>(NumberOfTiles(key.View.Size)));
+    std::iota(tiles.begin(), tiles.end(), std::int64_t(0));
+    TileLister lister(ofGrid);
+    std::size_t number = 0;
+    const TileWork work = WorkOf(ofGrid, { whole.Active, &bounds });
+    if (!lister.MakeFront(
+          tiles, ofGrid.Report, []() { return true; }, work, number))
     {
       return false;
     }
+    lister.Finish();
   }
   sum.GridRays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
   sum.TracedRays += statistics.TracedRays;
@@ -254,12 +157,12 @@ TraceCounts KeepTile(
   return counts;
 }
 
-/// True if one frame has a plane exactly if the other has.
+/// True if two frames have the same optional planes.
 bool HaveSamePlanes(const Frame& a, const Frame& b)
 {
   bool areSame = a.Met.size() == b.Met.size() && a.Layers.size() == b.Layers.size();
-  Frame::ForEachPlane(0.0f,
-    [&](auto plane, const auto&) { areSame &= (a.*plane).size() == (b.*plane).size(); });
+  Frame::ForEachPlane(
+    0.0f, [&](auto plane, const auto&) { areSame &= (a.*plane).size() == (b.*plane).size(); });
   return areSame;
 }
 
@@ -275,7 +178,8 @@ bool CanHaveFewerRays(const FrameKey& key, const FrameOptions& options)
 bool TraceFewerRays(FrameTask& task, FrameStore& grid)
 {
   const LeapedSpace space = BeginWhole(task);
-  const FrameKey key = KeyOfGrid(task.Key, RaysFor(task.Key.View.Size, task.Options.Fewer.Distance));
+  const FrameKey key =
+    KeyOfGrid(task.Key, RaysFor(task.Key.View.Size, task.Options.Fewer.Distance));
   if (!TraceGrid(task, key, space, grid))
   {
     return false;
@@ -308,8 +212,7 @@ bool TraceBetweenRays(FrameTask& task)
   for (std::size_t tile = 0; tile < doubts.size(); ++tile)
   {
     // Layers that the last frame had to merge may fit now.
-    const bool isWhole =
-      KeepsAllLayers(static_cast<std::int64_t>(tile), last, task.Options.Layers);
+    const bool isWhole = KeepsAllLayers(static_cast<std::int64_t>(tile), last, task.Options.Layers);
     doubts[tile] = isWhole ? doubts[tile] : std::max(doubts[tile], 1.0f);
   }
   const bool isParallel = task.Key.View.Parallel;

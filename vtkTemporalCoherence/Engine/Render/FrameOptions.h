@@ -23,7 +23,8 @@ struct FewerRays
 {
   double Distance = 1.0; ///< pixels between rays along each axis; 1: each pixel has a ray
   std::int64_t Tiles = std::numeric_limits<std::int64_t>::max(); ///< most tiles to trace whole
-  /// Asked before each of these tiles, in any thread. False: no further one. May be null.
+  /// Called before each of these tiles is traced, by several threads. It returns false when time is
+  /// up. May be null.
   std::function<bool()> HasTime;
 
   bool AreAsked() const { return this->Distance > 1.0; }

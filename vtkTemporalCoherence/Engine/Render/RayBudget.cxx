@@ -13,11 +13,12 @@ namespace
 /// The part of the allowed time that frames are planned for.
 constexpr double Planned = 0.88;
 
-/// The part of the remaining time that the grid may take. Tiles get the rest.
-constexpr double ShareOfGrid = 0.75;
+/// The part of the remaining time that the grid may take: a closer grid is worth more than tiles.
+/// Tiles get the rest.
+constexpr double ShareOfGrid = 0.9;
 
-/// A ray of a grid takes this many times as long as one in a whole tile, until it is measured: fewer
-/// rays share what they read.
+/// A ray of a grid takes this many times as long as one in a whole tile, until it is measured:
+/// fewer rays share what they read.
 constexpr double ScatteredRay = 2.0;
 
 /// With closer rays, tiles are a better use of the time.
@@ -45,8 +46,8 @@ void RayBudget::Learn(const FrameStatistics& frame, bool wasWhole, double allowe
   // Times rise at once, and fall slowly: a frame that is late is worse than a coarse one.
   const double half = 0.5 * (this->GridPerRay + perRay);
   this->GridPerRay = this->IsKnown && hadGrid ? std::max(perRay, half) : perRay;
-  this->Rest = allowed < InteractiveTime ? frame.FrameTime - frame.GridTime - frame.TilesTime
-                                         : this->Rest;
+  this->Rest =
+    allowed < InteractiveTime ? frame.FrameTime - frame.GridTime - frame.TilesTime : this->Rest;
   this->Fill = hadGrid ? frame.FillTime : this->Fill;
   this->IsKnown = true;
 }

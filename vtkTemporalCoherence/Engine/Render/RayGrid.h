@@ -14,16 +14,11 @@
 namespace TemporalCoherence
 {
 
-/// The key of a picture with fewer rays in the same view.
-/// \param rays along each axis
-/// \throws std::bad_alloc
-FrameKey KeyOfGrid(const FrameKey& key, const glm::ivec2& rays);
-
 /// A picture with fewer rays than pixels, and what it tells about the pixels between the rays.
 ///
-/// Colours are interpolated bilinearly between four rays. Depths are, too, if all four rays meet one
-/// surface. Else they are those of the nearest ray that meets any, as normals always are. All weights
-/// are whole numbers of 256ths.
+/// Colours are interpolated bilinearly between four rays. Depths are interpolated, too, if all four
+/// rays hit one surface. Other depths, and all normals, are copied from the nearest ray with a hit.
+/// All weights are whole numbers of 256ths.
 class RayGrid
 {
 public:
@@ -53,9 +48,6 @@ private:
   bool ShowsAnything(const PixelRect& part) const;
   std::vector<float> FindBends() const;
   Cell CellBetween(const Place& column, const Place& row) const;
-  static void FillMiss(std::size_t pixel, Frame& frame);
-  bool FillPixel(
-    const Cell& cell, const std::array<float, 4>& weights, std::size_t pixel, Frame& frame) const;
   std::uint64_t FillCell(const PixelRect& between, const PixelRect& part, Frame& frame) const;
 
   const Frame& Picture;

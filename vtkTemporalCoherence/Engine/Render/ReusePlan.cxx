@@ -95,8 +95,8 @@ Route PlanWhole(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
 bool GiveSamePicture(const FrameKey& last, const FrameKey& next)
 {
   const FrameChange change = CompareFrames(last, next);
-  return last.IsBlended() == next.IsBlended() && !change.Data && !change.View &&
-    !change.Surfaces && !change.Opacity && !change.Appearance && !change.Blending;
+  return last.IsBlended() == next.IsBlended() && !change.Data && !change.View && !change.Surfaces &&
+    !change.Opacity && !change.Appearance && !change.Blending;
 }
 
 /// True if a route takes about as long as tracing every ray. Of translucent surfaces, an isomap

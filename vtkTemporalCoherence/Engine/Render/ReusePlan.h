@@ -13,14 +13,14 @@ namespace TemporalCoherence
 /// How a whole frame is made. Removed routes leave gaps in the numbers.
 enum class Route : std::uint8_t
 {
-  Cold,           ///< every ray is traced, without help from an earlier frame
-  Redisplay,      ///< nothing changed: the same picture
-  Reshade,        ///< only the appearance changed: known hits get new colours
-  IsomapLookup,   ///< another isovalue in the same view, looked up in the isomap
-  IsomapBuild,    ///< the isomap lacks some tiles: they are built or traced
-  ImageCache = 6, ///< another view: a cached image tells where walks may begin
-  TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
-  Recomposite,    ///< only opacities changed: known layers are composited again
+  Cold,            ///< every ray is traced, without help from an earlier frame
+  Redisplay,       ///< nothing changed: the same picture
+  Reshade,         ///< only the appearance changed: known hits get new colours
+  IsomapLookup,    ///< another isovalue in the same view, looked up in the isomap
+  IsomapBuild,     ///< the isomap lacks some tiles: they are built or traced
+  ImageCache = 6,  ///< another view: a cached image tells where walks may begin
+  TimeStep,        ///< other samples in the same view: tiles that they do not affect are copied
+  Recomposite,     ///< only opacities changed: known layers are composited again
   KeepValues = 10, ///< only a projection's colours changed: known values get colours
   FewerRays,       ///< some rays are traced, and pixels between them are interpolated
   Refine           ///< nothing changed: tiles between rays are traced

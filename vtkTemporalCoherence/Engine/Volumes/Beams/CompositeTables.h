@@ -11,8 +11,8 @@
 namespace TemporalCoherence
 {
 
-/// The tables of a composite volume. They depend on its look and its cells, not on the view, and take
-/// as long as some thousand rays: later frames use them again.
+/// The tables of a composite volume. They depend on its look and its cells, not on the view, and
+/// take as long as some thousand rays: later frames use them again.
 struct CompositeTables
 {
   /// \param shortest edge of a cell in the world

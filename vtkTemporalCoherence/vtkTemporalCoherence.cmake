@@ -136,6 +136,7 @@ set(volume_files
   Volumes/Medium/KernelsVolumeSegments
   Volumes/Medium/TransferTables
   Volumes/Medium/VisibleBands
+  Volumes/Beams/CompositeTables
   Volumes/Beams/CompositeTracer
   Volumes/Beams/EmissionArcs
   Volumes/Beams/KernelsCompositeBeam

@@ -27,6 +27,10 @@ constexpr double Closest = 3.0;
 /// Until anything is known.
 constexpr double First = 6.0;
 
+/// The part of the planned time that does not depend on rays, until it is measured. A first frame
+/// also makes room for its planes.
+constexpr double FirstRest = 0.5;
+
 /// The part of the allowed time that is always left for rays.
 constexpr double LeastForRays = 0.2;
 
@@ -65,11 +69,12 @@ RayBudget::Choice RayBudget::Choose(std::int64_t pixels, double allowed, double 
     return { std::max(std::min(First, most), 1.0), until };
   }
   const auto number = static_cast<double>(pixels);
-  if (this->IsWholeKnown && this->WholePerPixel * number + this->Rest <= planned)
+  if (this->IsWholeKnown && this->WholePerPixel * number + std::max(this->Rest, 0.0) <= planned)
   {
     return {};
   }
-  const double left = std::max(planned - this->Rest, LeastForRays * planned);
+  const double rest = this->Rest < 0.0 ? FirstRest * planned : this->Rest;
+  const double left = std::max(planned - rest, LeastForRays * planned);
   const double needed = std::sqrt(this->GridPerRay * number / (ShareOfGrid * left));
   return { std::max(std::min(std::max(needed, Closest), most), 1.0), until };
 }

@@ -43,8 +43,8 @@ private:
   bool IsWholeKnown = false;  ///< else the last frame could not be made whole
   double WholePerPixel = 0.0; ///< seconds
   double GridPerRay = 0.0;    ///< seconds
-  double Rest = 0.0;          ///< seconds that do not depend on the number of rays
-  double Fill = 0.0;          ///< of these, seconds to fill tiles between rays
+  double Rest = -1.0; ///< seconds that do not depend on the number of rays; below 0: not known
+  double Fill = 0.0;  ///< of these, seconds to fill tiles between rays
 };
 
 }

@@ -48,8 +48,8 @@ bool BlendCold(FrameTask& task);
 /// the last frame. Rays are searched if their extreme was invisible then and may be visible now.
 bool BlendKnownValues(FrameTask& task);
 
-/// True if a frame can and shall be made from fewer rays. With ambient occlusion it is not, since
-/// light is kept for every pixel, nor with colours of answers, or for comparisons with the paper.
+/// True if a frame can and shall be made from fewer rays. Frames with ambient occlusion or shadows
+/// are not, as they keep the light of every pixel. Colours of answers and PAPER need all rays, too.
 bool CanHaveFewerRays(const FrameKey& key, const FrameOptions& options);
 
 /// FewerRays: rays on a grid are traced, then the tiles that these predict worst. The others are

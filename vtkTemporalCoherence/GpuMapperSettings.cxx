@@ -117,12 +117,10 @@ void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper*
   // Not SampleDistance: without it, pictures are converged.
   to->SetAverageIPScalarRange(from->GetAverageIPScalarRange());
   to->SetAutoAdjustSampleDistances(from->GetAutoAdjustSampleDistances());
-  to->SetMinimumImageSampleDistance(from->GetMinimumImageSampleDistance());
   to->SetMaximumImageSampleDistance(from->GetMaximumImageSampleDistance());
-  if (!from->GetAutoAdjustSampleDistances())
-  {
-    to->SetImageSampleDistance(from->GetImageSampleDistance());
-  }
+  to->SetImageSampleDistance(from->GetAutoAdjustSampleDistances()
+      ? from->GetMinimumImageSampleDistance()
+      : from->GetImageSampleDistance());
 }
 
 }

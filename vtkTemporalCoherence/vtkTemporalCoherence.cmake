@@ -118,12 +118,17 @@ set(engine_files
   Render/BlendRoute
   Render/CapTiles
   Render/EdgePixels
+  Render/FewerRaysRoute
   Render/FrameRenderer
   Render/FrameStore
   Render/FrameStructures
   Render/IsomapRoute
+  Render/GridKey
   Render/LayerLimit
   Render/LineTracer
+  Render/RayBudget
+  Render/RayGrid
+  Render/RayGridFill
   Render/ReusePlan
   Render/Routes
   Render/SampleDistance
@@ -135,6 +140,7 @@ set(volume_files
   Volumes/Medium/KernelsVolumeSegments
   Volumes/Medium/TransferTables
   Volumes/Medium/VisibleBands
+  Volumes/Beams/CompositeTables
   Volumes/Beams/CompositeTracer
   Volumes/Beams/EmissionArcs
   Volumes/Beams/KernelsCompositeBeam

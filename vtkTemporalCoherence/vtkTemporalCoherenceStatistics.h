@@ -27,7 +27,8 @@ public:
   //@{
   /**
    * How the frame was made: one of vtkTemporalCoherenceVolumeMapper::Routes, or its name: Cold,
-   * Redisplay, Reshade, IsomapLookup, IsomapBuild, ImageCache, TimeStep, Recomposite or KeepValues.
+   * Redisplay, Reshade, IsomapLookup, IsomapBuild, ImageCache, TimeStep, Recomposite, KeepValues,
+   * FewerRays or Refine.
    */
   vtkGetMacro(Route, int);
   const char* GetRouteAsString() { return this->RouteName; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
+#include "Render/SampleDistance.h"
 #include "Request/ViewFromRenderer.h"
 #include "Scene/Timers.h"
 #include "SettingsFromMapper.h"
@@ -38,12 +39,9 @@ TemporalCoherence::FrameSight FinestSight(
   }
   glm::ivec2 size, origin;
   renderer->GetTiledSizeAndOrigin(&size.x, &size.y, &origin.x, &origin.y);
-  const float distance = mapper.GetAutoAdjustSampleDistances()
-    ? mapper.GetMinimumImageSampleDistance()
-    : mapper.GetImageSampleDistance();
-  const double finest = TemporalCoherence::FinestDistance(size);
-  return { renderer, TemporalCoherence::RaysFor(size, std::max<double>(distance, finest)),
-    renderer->GetTiledAspectRatio() };
+  const double distance =
+    std::max<double>(mapper.GetImageSampleDistance(), TemporalCoherence::FinestDistance(size));
+  return { renderer, TemporalCoherence::RaysFor(size, distance), renderer->GetTiledAspectRatio() };
 }
 
 /// True if a prop is drawn in the opaque pass, and again in a volumetric pass behind it.
@@ -61,7 +59,6 @@ vtkTemporalCoherenceVolumeMapper::vtkTemporalCoherenceVolumeMapper()
   : Internal(std::make_unique<Internals>(this))
 {
   this->SetBlendModeToIsoSurface();
-  this->AutoAdjustSampleDistances = 0;
   this->SampleDistance = 0.0f; // blended volumes converge
 }
 

@@ -175,10 +175,10 @@ public:
 
   //@{
   /**
-   * Get whether the last frame is final: false if rendering it again would make its light
-   * or its edges better.
-   * GetFrameProgress() is the share of the light's rays that is known, 1 if the frame is final.
-   * vtkTemporalCoherenceRefiner renders a window until its frames are final.
+   * Get whether the last frame is final: false if rendering it again would make it better: its
+   * light, its edges, or interpolated pixels. GetFrameProgress() is the share of its rays that is
+   * known, 1 if the frame is final. vtkTemporalCoherenceRefiner renders a window until its frames
+   * are final.
    */
   bool GetFrameIsFinal();
   double GetFrameProgress();
@@ -268,9 +268,14 @@ public:
   //@{
   /**
    * Set the distance between rays in windows, in pixels along each axis: 0.1 to 100, default 1. NaN
-   * is an error. AutoAdjustSampleDistances (default: off) chooses the distance, between the minimum
-   * (default 1) and the maximum (default 10), to fit a frame into
-   * vtkVolume::GetAllocatedRenderTime().
+   * is an error.
+   *
+   * AutoAdjustSampleDistances (default: on) keeps interaction smooth. A frame that takes longer
+   * than vtkVolume::GetAllocatedRenderTime() traces fewer rays: a grid, whose rays have a distance
+   * of up to MaximumImageSampleDistance rays (default: 10). Pixels between them are interpolated.
+   * Tiles with large errors are traced completely, until time is up. The next frame of the same
+   * view traces the missing tiles, and the picture is exact. Off: every frame traces all rays.
+   * MinimumImageSampleDistance has no effect.
    */
   void SetImageSampleDistance(float pixels) override;
   void SetMinimumImageSampleDistance(float pixels) override;
@@ -402,7 +407,9 @@ public:
     ROUTE_TIME_STEP,       ///< samples changed: pixels that no changed sample affects are copied
     ROUTE_RECOMPOSITE,     ///< only opacities changed: known layers are composited again
     ROUTE_KEEP_VALUES = 10, ///< only colours of a projection changed: known values are coloured
-    ROUTE_ANTIALIAS         ///< nothing changed: pixels at edges get more rays
+    ROUTE_ANTIALIAS,        ///< nothing changed: pixels at edges get more rays
+    ROUTE_FEWER_RAYS,       ///< some rays are traced, and pixels between them are interpolated
+    ROUTE_REFINE            ///< nothing changed: tiles between rays are traced
   };
 
   /** The work of the last frame to set up its mesh. */

@@ -13,7 +13,8 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
-#include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <exception>
 #include <string>
 
@@ -36,32 +37,46 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderForWindow(
 {
   const glm::ivec2 pixels(width, height);
   const double allowed = volume->GetAllocatedRenderTime();
-  if (this->Self->AutoAdjustSampleDistances)
-  {
-    // Publish the chosen distance without calling Modified(), as VTK's mappers do.
-    this->Self->ImageSampleDistance = static_cast<float>(
-      this->Distances.Choose(pixels, allowed, static_cast<double>(this->Self->ImageSampleDistance),
-        { std::max<double>(
-            this->Self->MinimumImageSampleDistance, TemporalCoherence::FinestDistance(pixels)),
-          this->Self->MaximumImageSampleDistance }));
-  }
   std::string warning;
   const glm::ivec2 rays =
     this->Rays.For(pixels, static_cast<double>(this->Self->ImageSampleDistance), volume, warning);
   this->Warn(warning);
-  const bool isMade = this->RenderFrame(
-    renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(), renderer->GetRenderWindow());
+  const bool isMade =
+    this->RenderFrame(renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(),
+      renderer->GetRenderWindow(), this->ChooseRays(renderer, volume, rays, allowed));
   if (isMade)
   {
     this->Frames.SetPictureSize(pixels);
-    this->Learn(allowed);
+    this->Frames.LearnTimes(allowed);
   }
   return isMade;
 }
 
 //------------------------------------------------------------------------------
+TemporalCoherence::FewerRays vtkTemporalCoherenceVolumeMapper::Internals::ChooseRays(
+  vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& rays, double allowed) const
+{
+  TemporalCoherence::FewerRays fewer;
+  if (!this->Self->AutoAdjustSampleDistances || this->Self->GetRenderToImage())
+  {
+    return fewer;
+  }
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  const TemporalCoherence::RayBudget::Choice choice =
+    this->Frames.ChooseRays(TemporalCoherence::Viewer::Of(renderer, volume),
+      static_cast<std::int64_t>(rays.x) * rays.y, allowed - this->Frames.PresentTime(),
+      static_cast<double>(this->Self->MaximumImageSampleDistance));
+  fewer.Distance = choice.Distance;
+  fewer.HasTime = [begin, choice]()
+  { return std::chrono::duration<double>(Clock::now() - begin).count() < choice.Until; };
+  return fewer;
+}
+
+//------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* renderer,
-  vtkVolume* volume, int width, int height, double aspect, vtkRenderWindow* window)
+  vtkVolume* volume, int width, int height, double aspect, vtkRenderWindow* window,
+  const TemporalCoherence::FewerRays& fewer)
 {
   this->Frames.ResetPresentTime();
   if (static_cast<vtkTypeInt64>(width) * height > VTK_INT_MAX)
@@ -95,6 +110,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
     TemporalCoherence::OptionsOf(this->Self, !window || this->Self->GetRenderToImage());
   options.ReportsTiles = IsHeard(*this->Self, window);
   options.Light.AtOnce = !window && !this->Self->ProgressiveImages;
+  options.Fewer = fewer;
   bool isMade = false;
   {
     const Busy busy(*this);
@@ -185,7 +201,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::MakeImages(vtkRenderer* render
   if (isMade)
   {
     this->Frames.SetPictureSize({ width, height });
-    this->Learn(VTK_DOUBLE_MAX);
+    this->Frames.LearnTimes(VTK_DOUBLE_MAX);
   }
   // Write the images before the end event: its observers may draw the next frame.
   std::string error;

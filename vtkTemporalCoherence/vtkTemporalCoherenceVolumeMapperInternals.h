@@ -5,7 +5,6 @@
 
 #include "Frames/MapperFrames.h"
 #include "Input/DivisionError.h"
-#include "Render/SampleDistance.h"
 #include "Request/EmptyPicture.h"
 #include "Request/IsovalueCheck.h"
 #include "Request/RequestFromMapper.h"
@@ -30,7 +29,6 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   vtkTemporalCoherenceVolumeMapper* const Self;
   TemporalCoherence::RequestFromMapper Requests;
   TemporalCoherence::MapperFrames Frames;
-  TemporalCoherence::SampleDistanceChooser Distances;
   TemporalCoherence::WindowRays Rays;
   TemporalCoherence::EmptyPicture Empties;
   TemporalCoherence::IsovalueCheck Isovalues;
@@ -107,8 +105,14 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
 
   /// Make a frame.
   /// \param window may stop it; or null
+  /// \param fewer  the rays that it may trace
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
-    vtkRenderWindow* window);
+    vtkRenderWindow* window, const TemporalCoherence::FewerRays& fewer = {});
+
+  /// Choose how many rays a window's frame traces to finish in time.
+  /// \param allowed seconds for it
+  TemporalCoherence::FewerRays ChooseRays(
+    vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& rays, double allowed) const;
 
   /// The first surface on a line, and the input's cell that contains it.
   struct FoundOnLine
@@ -170,22 +174,6 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
         !this->Empties.IsTold(drawn.Volume)
       ? this->Isovalues.Check(drawn, request, this->Frames.LastRanges())
       : std::string();
-  }
-
-  /// Learn the time of a ray, unless the last frame only showed known hits or values again.
-  void Learn(double allowed)
-  {
-    const TemporalCoherence::FrameStatistics& last = this->Frames.Statistics();
-    if (last.Made != TemporalCoherence::Route::Redisplay &&
-      last.Made != TemporalCoherence::Route::Reshade &&
-      last.Made != TemporalCoherence::Route::Recomposite &&
-      last.Made != TemporalCoherence::Route::KeepValues &&
-      last.Made != TemporalCoherence::Route::Antialias)
-    {
-      // The time to build the isomap does not count: the next frames in the view need not build it.
-      this->Distances.Learn(
-        this->Frames.LastSize(), last.FrameTime - last.IsomapBuildTime, allowed);
-    }
   }
 };
 VTK_ABI_NAMESPACE_END

@@ -86,7 +86,8 @@ vtkTemporalCoherenceStatistics* vtkTemporalCoherenceVolumeMapper::GetStatistics(
       static_cast<int>(Route::IsomapBuild) == ROUTE_ISOMAP_BUILD &&
       static_cast<int>(Route::Recomposite) == ROUTE_RECOMPOSITE &&
       static_cast<int>(Route::KeepValues) == ROUTE_KEEP_VALUES &&
-      static_cast<int>(Route::Antialias) == ROUTE_ANTIALIAS,
+      static_cast<int>(Route::Antialias) == ROUTE_ANTIALIAS &&
+      static_cast<int>(Route::Refine) == ROUTE_REFINE,
     "Routes tells the same as Route");
   using TemporalCoherence::SetUpWork;
   static_assert(static_cast<int>(SetUpWork::None) == MESH_NONE &&

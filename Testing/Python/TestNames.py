@@ -37,13 +37,14 @@ CONSTANTS = {
     "EXACT": 1, "PAPER": 2, "LATEST": 0, "KEY_IMAGE": 1, "RESHADE": 0, "INTERPOLATE": 1, "ROUTE_COLD": 0, "ROUTE_REDISPLAY": 1,
     "ROUTE_RESHADE": 2, "ROUTE_ISOMAP_LOOKUP": 3, "ROUTE_ISOMAP_BUILD": 4,
     "ROUTE_IMAGE_CACHE": 6, "ROUTE_TIME_STEP": 7, "ROUTE_RECOMPOSITE": 8, "ROUTE_KEEP_VALUES": 10,
-    "ROUTE_ANTIALIAS": 11, "ANTIALIASING_OFF": 0, "ANTIALIASING_WHEN_STILL": 1, "ANTIALIASING_ALWAYS": 2,
+    "ROUTE_ANTIALIAS": 11, "ROUTE_FEWER_RAYS": 12, "ROUTE_REFINE": 13,
+    "ANTIALIASING_OFF": 0, "ANTIALIASING_WHEN_STILL": 1, "ANTIALIASING_ALWAYS": 2,
     "FRAME_COLOR": 1, "FRAME_DEPTH": 2, "FRAME_NORMALS": 4, "FRAME_ISOVALUE_INDEX": 8, "FRAME_ANSWER": 16,
     "FRAME_ALL": 31, "FrameProgressEvent": 5301,
 }
 SWITCHES = {
     "ReuseFrames": 1, "SmoothMeshNormals": 0, "Isomap": 1, "SpaceLeaping": 1, "RefineWhenStill": 1, "ColorByAnswer": 0,
-    "AutoAdjustSampleDistances": 0, "FixedStepSampling": 0, "WarnOfIsovalues": 1,
+    "AutoAdjustSampleDistances": 1, "FixedStepSampling": 0, "WarnOfIsovalues": 1,
     "AmbientOcclusion": 0, "ProgressiveImages": 0,
 }
 NUMBERS = {

@@ -45,7 +45,7 @@ namespace
 {
 
 constexpr vtkIdType NumberOfRoutes =
-  vtkTemporalCoherenceVolumeMapper::ROUTE_ANTIALIAS + 1; // the last one
+  vtkTemporalCoherenceVolumeMapper::ROUTE_REFINE + 1; // the last one
 
 /// Arrays of numbers that could be drawn.
 std::vector<vtkDataArray*> ArraysIn(vtkDataSetAttributes* attributes)

@@ -339,22 +339,19 @@ void TestOtherPixels()
   }
 }
 
-/// Where the least distance is below 1, still pictures are finer.
+/// Frames that are finer than pixels have fewer rays while there is no time.
 void TestAutomatic()
 {
   Stage stage(AllKinds()[0]);
-  stage.Mapper->AutoAdjustSampleDistancesOn();
-  stage.Mapper->SetMinimumImageSampleDistance(0.5f);
+  stage.Mapper->SetImageSampleDistance(0.5f);
   stage.Window->SetDesiredUpdateRate(1e9);
   stage.Draw();
-  Expect(stage.Mapper->GetStatistics()->GetNumberOfRays() == 120 * 90,
-    "nothing is known: a ray a pixel");
-  stage.Renderer->GetActiveCamera()->Azimuth(1.0);
-  stage.Draw();
-  Expect(stage.Mapper->GetStatistics()->GetNumberOfRays() < 120 * 90, "no time: fewer");
+  Expect(IsRoute(stage, "FewerRays") &&
+      stage.Mapper->GetStatistics()->GetNumberOfTracedRays() < 120 * 90,
+    "no time: fewer");
   stage.Window->SetDesiredUpdateRate(1e-4);
   stage.Draw();
-  Expect(stage.Mapper->GetImageSampleDistance() == 0.5f, "a still picture is fine");
+  Expect(IsRoute(stage, "Refine"), "then the others");
   ExpectMeans(stage, "a still picture");
 }
 

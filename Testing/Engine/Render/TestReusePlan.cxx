@@ -34,9 +34,46 @@ TEST(ReusePlan, NothingChanged)
   EXPECT_EQ(Plan(BaseKey()), Route::Redisplay);
 }
 
+TEST(ReusePlan, FewerRaysReplaceFramesThatTraceAll)
+{
+  ReuseSwitches fewer;
+  fewer.FewerRays = true;
+  FrameKey key = BaseKey();
+  key.View.ClipFromWorld[0][0] = 2.0;
+  EXPECT_EQ(Plan(key, fewer), Route::FewerRays);
+  EXPECT_EQ(Plan(BaseKey(), fewer), Route::Redisplay);
+  key = BaseKey();
+  key.EditIsosurfaces().Isovalues = { 6.0 };
+  EXPECT_EQ(Plan(key, fewer), Route::IsomapBuild);
+  key.EditIsosurfaces().Opacities = { 0.5 };
+  FrameKey last = BaseKey();
+  last.EditIsosurfaces().Opacities = { 0.5 };
+  EXPECT_EQ(PlanRoute(last, key, {}, {}), Route::IsomapBuild);
+  EXPECT_EQ(PlanRoute(last, key, fewer, {}), Route::FewerRays) << "an isomap saves no layers";
+}
+
+TEST(ReusePlan, PixelsBetweenRaysAreRefined)
+{
+  HeldForReuse held;
+  held.IsExact = false;
+  held.IsLightFinal = false;
+  held.IsBetweenRays = true;
+  EXPECT_EQ(Plan(BaseKey(), {}, held), Route::Refine);
+  ReuseSwitches switches;
+  switches.Frames = switches.Isomap = switches.RefineWhenStill = false;
+  EXPECT_EQ(Plan(BaseKey(), switches, held), Route::Refine);
+  switches.FewerRays = true;
+  EXPECT_EQ(Plan(BaseKey(), switches, held), Route::Refine);
+  FrameKey key = BaseKey();
+  key.Appearance.Ambient += 0.1;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold);
+  EXPECT_EQ(Plan(key, switches, held), Route::FewerRays);
+}
+
 TEST(ReusePlan, ChangedSurfacesDarkenOthers)
 {
   FrameKey before = BaseKey();
+  before.Appearance.Shade = true;
   before.Appearance.Occlusion.Radius = 1.0;
   FrameKey key = before;
   key.Samples.Stamp = 2;
@@ -349,6 +386,8 @@ TEST(ReusePlan, RoutesHaveTheirNames)
   EXPECT_STREQ(NameOf(Route::TimeStep), "TimeStep");
   EXPECT_STREQ(NameOf(Route::Recomposite), "Recomposite");
   EXPECT_STREQ(NameOf(Route::KeepValues), "KeepValues");
+  EXPECT_STREQ(NameOf(Route::FewerRays), "FewerRays");
+  EXPECT_STREQ(NameOf(Route::Refine), "Refine");
 }
 
 }

@@ -181,7 +181,7 @@ void Coarseness(World& world)
   world.Subject->SetImageSampleDistance(distance());
   world.Subject->SetMinimumImageSampleDistance(distance());
   world.Subject->SetMaximumImageSampleDistance(distance());
-  world.Subject->SetAutoAdjustSampleDistances(from.OneIn(4));
+  world.Subject->SetAutoAdjustSampleDistances(!from.OneIn(4));
   Story::Tell("  a ray every ", world.Subject->GetImageSampleDistance(), " pixels");
 }
 

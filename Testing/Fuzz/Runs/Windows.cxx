@@ -144,12 +144,19 @@ bool IsAlone(vtkRenderer* renderer, vtkVolume* volume)
   return renderer->HasViewProp(volume) && renderer->GetVolumes()->GetNumberOfItems() == 1;
 }
 
+/// True if every pixel of the last frame has a ray that was traced for it, now or just before.
+bool IsTracedWhole(vtkTemporalCoherenceVolumeMapper* mapper)
+{
+  const std::string route = mapper->GetStatistics()->GetRouteAsString();
+  const bool hadFewer = route == "FewerRays" || route == "Refine";
+  return route == "Cold" || (hadFewer && mapper->GetFrameIsFinal());
+}
+
 /// What the mapper shows in a window is what it draws into an image.
 void CompareWithImage(World& world, const Oracle& oracle, Tally& tally)
 {
   Picture shown, cold;
-  if (world.HasSilentChange || !shown.Fetch(world.Subject) ||
-    std::string(world.Subject->GetStatistics()->GetRouteAsString()) != "Cold" ||
+  if (world.HasSilentChange || !shown.Fetch(world.Subject) || !IsTracedWhole(world.Subject) ||
     world.Subject->GetImageSampleDistance() != 1.0f ||
     !IsWhole(world.Renderer()->GetRenderWindow()) || !IsAlone(world.Renderer(), world.Volume()))
   {

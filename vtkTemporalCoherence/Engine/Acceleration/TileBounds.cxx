@@ -326,6 +326,34 @@ void TileBounds::Build(const View& view, const IndexTransform& transform, const 
     });
 }
 
+void TileBounds::Unite(const TileBounds& all, const glm::ivec2& pixels, const glm::ivec2& fewer)
+{
+  this->Size = TilesOf(fewer);
+  const auto number =
+    static_cast<std::size_t>(this->Size.x) * static_cast<std::size_t>(this->Size.y);
+  this->All.assign(number, Bounds());
+  for (std::size_t tile = 0; tile < number; ++tile)
+  {
+    const glm::i64vec2 at(static_cast<std::int64_t>(tile) % this->Size.x,
+      static_cast<std::int64_t>(tile) / this->Size.x);
+    // The pixels that the tile covers, at least in part.
+    const glm::i64vec2 size(pixels), rays(fewer), length(TileSize);
+    const glm::ivec2 first((at * length * size / rays) / length);
+    const glm::ivec2 end =
+      glm::min(glm::ivec2(((at + std::int64_t(1)) * length * size / rays) / length) + 1, all.Size);
+    Bounds& bounds = this->All[tile];
+    for (int y = first.y; y < end.y; ++y)
+    {
+      for (int x = first.x; x < end.x; ++x)
+      {
+        const Bounds& covered = all.All[static_cast<std::size_t>(y * all.Size.x + x)];
+        bounds.Near = std::min(bounds.Near, covered.Near);
+        bounds.Far = std::max(bounds.Far, covered.Far);
+      }
+    }
+  }
+}
+
 std::size_t TileBounds::MemoryInBytes() const
 {
   std::size_t count = this->All.capacity();

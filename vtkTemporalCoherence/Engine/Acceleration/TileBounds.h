@@ -46,6 +46,11 @@ public:
   void Build(const View& view, const IndexTransform& transform, const ActiveCells& active,
     const FieldShape& shape);
 
+  /// Make the bounds of a picture with fewer rays in the same view: each tile gets the bounds of
+  /// all tiles that it covers. \param all    bounds of the picture of `pixels` \param fewer  rays
+  /// along each axis \throws std::bad_alloc; the bounds are then unusable
+  void Unite(const TileBounds& all, const glm::ivec2& pixels, const glm::ivec2& fewer);
+
   const glm::ivec2& Tiles() const { return this->Size; }
   const Bounds& At(std::int64_t tile) const { return this->All[static_cast<std::size_t>(tile)]; }
 

@@ -20,6 +20,9 @@ struct CachedImage
   FrameKey Key;
   Frame Picture;
   bool IsExact = true; ///< bit-identical to the cold picture of its key
+  /// For each tile, the expected error of its pixels, in steps of a byte, if they were interpolated
+  /// between rays; 0 for traced tiles. Empty if all tiles were traced.
+  std::vector<float> Doubts;
 };
 
 /// True if a picture made for `cached` shows where space is free of the surfaces of `next`.

@@ -12,7 +12,7 @@ std::shared_ptr<const BandTracer> FieldKind::MakeBandTracer(const BandScene&) co
   return nullptr;
 }
 
-std::shared_ptr<const BlendTracer> FieldKind::MakeBlendTracer(const BlendScene&) const
+std::shared_ptr<const BlendTracer> FieldKind::MakeBlendTracer(const BlendScene&, KeptTables*) const
 {
   return nullptr;
 }
@@ -36,9 +36,9 @@ std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene)
   return kind.MakeBandTracer(whole);
 }
 
-std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene)
+std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene, KeptTables* kept)
 {
-  return KindOf(scene.Key.Samples).MakeBlendTracer(scene);
+  return KindOf(scene.Key.Samples).MakeBlendTracer(scene, kept);
 }
 
 }

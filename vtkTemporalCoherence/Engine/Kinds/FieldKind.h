@@ -7,6 +7,7 @@
 #include "Lattice/SurfaceTracer.h"
 #include "Scene/FieldShape.h"
 #include "Shade/FieldNormals.h"
+#include "Volumes/Beams/CompositeTables.h"
 #include "Volumes/Medium/BlendTracer.h"
 
 #include <memory>
@@ -41,8 +42,10 @@ public:
 
   /// Make a tracer for blended volumes. Null if the kind can only be drawn by isosurfaces: its
   /// blended volumes show nothing.
-  /// \throws std::bad_alloc
-  virtual std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene) const;
+  /// \param kept tables of an earlier tracer, which may serve again; receives this one's. May be
+  /// null \throws std::bad_alloc
+  virtual std::shared_ptr<const BlendTracer> MakeBlendTracer(
+    const BlendScene& scene, KeptTables* kept) const;
 };
 
 /// The kind of a field: its shape or, if the shape is no kind, UniformKind().
@@ -53,7 +56,8 @@ const FieldKind& KindOf(const Field& field);
 /// \throws std::bad_alloc
 std::shared_ptr<const SurfaceTracer> MakeSurfaceTracer(const TraceScene& scene);
 std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene);
-std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene);
+std::shared_ptr<const BlendTracer> MakeBlendTracer(
+  const BlendScene& scene, KeptTables* kept = nullptr);
 
 }
 

@@ -147,9 +147,10 @@ public:
       });
   }
 
-  std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene) const override
+  std::shared_ptr<const BlendTracer> MakeBlendTracer(
+    const BlendScene& scene, KeptTables* kept) const override
   {
-    return MakeLatticeBlendTracer(scene, this->Grid.get());
+    return MakeLatticeBlendTracer(scene, this->Grid.get(), kept);
   }
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override

@@ -48,9 +48,10 @@ public:
     return MakeUniformBandTracer(scene);
   }
 
-  std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene) const override
+  std::shared_ptr<const BlendTracer> MakeBlendTracer(
+    const BlendScene& scene, KeptTables* kept) const override
   {
-    return MakeLatticeBlendTracer(scene, nullptr);
+    return MakeLatticeBlendTracer(scene, nullptr, kept);
   }
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kinds/FieldKind.h"
 #include "Lattice/RayPieces.h"
+#include "Render/ColdTiles.h"
 #include "Render/RayColors.h"
 #include "Render/RouteSteps.h"
 #include "Render/Routes.h"
@@ -54,7 +55,8 @@ public:
     , IsAllKnown(last && KnowsAllExtremes(last->MetWithin, Key.Blended()))
     , Rays(Key.View, Key.Transform, Key.Samples.Dimensions, Key.Region)
     , Tracer(Key.Samples.HasCells()
-          ? MakeBlendTracer({ Key, space.Active, &task.Structures.Pyramid() })
+          ? MakeBlendTracer(
+              { Key, space.Active, &task.Structures.Pyramid() }, &task.Structures.TablesOfVolume())
           : nullptr)
   {
     if (this->Tracer && HasNormals(Key.Blended()))
@@ -278,9 +280,21 @@ std::unique_ptr<RayColors> MakeBlendedColors(FrameTask& task)
   return std::make_unique<TileBlender>(task, task.Structures.VisibleSpace(leaps));
 }
 
+LeapedSpace BeginBlended(FrameTask& task)
+{
+  return BeginBlending(task, true);
+}
+
+TileWork BlendedWork(const FrameTask& task, const LeapedSpace& space)
+{
+  const auto blender = std::make_shared<const TileBlender>(task, space);
+  return [blender](std::int64_t tile, const PixelRect& part, Frame& frame)
+  { return blender->Blend(tile, part, frame); };
+}
+
 bool BlendCold(FrameTask& task)
 {
-  const LeapedSpace space = BeginBlending(task, true);
+  const LeapedSpace space = BeginBlended(task);
   return BlendTiles(task, TileBlender(task, space));
 }
 

@@ -11,6 +11,8 @@
 #include "Shade/Light/SurfaceLight.h"
 
 #include <cstdint>
+#include <functional>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -21,6 +23,19 @@ enum class Antialiasing : std::uint8_t
   Off,
   WhenStill, ///< in a frame that differs in nothing from the last one
   Always     ///< in each frame
+};
+
+/// A frame from fewer rays: they lie on a grid, the pixels between them are interpolated, and the
+/// tiles where that is worst are traced whole.
+struct FewerRays
+{
+  double Distance = 1.0; ///< pixels between rays along each axis; 1: each pixel has a ray
+  std::int64_t Tiles = std::numeric_limits<std::int64_t>::max(); ///< most tiles to trace whole
+  /// Called before each of these tiles is traced, by several threads. It returns false when time is
+  /// up. May be null.
+  std::function<bool()> HasTime;
+
+  bool AreAsked() const { return this->Distance > 1.0; }
 };
 
 /// Options for making frames.
@@ -36,6 +51,7 @@ struct FrameOptions
   LayerOptions Layers;
   LightOptions Light;
   Antialiasing Antialias = Antialiasing::Off;
+  FewerRays Fewer;
   bool ReportsTiles = false; ///< trace tiles in parts, with a progress report before each part
 };
 

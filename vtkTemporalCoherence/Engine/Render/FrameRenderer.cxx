@@ -136,7 +136,8 @@ bool FrameRenderer::SmoothEdges(Route route, FrameTask& task, std::unique_ptr<Su
   const bool isOfLast = route == Route::Reshade || route == Route::Antialias;
   const bool isNow = WantsSmoothEdges(key, task.Options) &&
     (task.IsRepeated || task.Options.Antialias == Antialiasing::Always);
-  if (route == Route::Redisplay || !isNow)
+  const bool isBetweenRays = route == Route::FewerRays || route == Route::Refine;
+  if (route == Route::Redisplay || isBetweenRays || !isNow)
   {
     if (route == Route::Antialias)
     {
@@ -190,9 +191,15 @@ void FrameRenderer::KeepLight(
     }
   }
   this->IsLightFinal = statistics.Progress >= 1.0;
-  if (WantsSmoothEdges(task.Key, task.Options) && !task.Store.Last().Picture.IsAntialiased())
+  const CachedImage& last = task.Store.Last();
+  if (WantsSmoothEdges(task.Key, task.Options) && !last.Picture.IsAntialiased())
   {
     statistics.Progress *= 1.0 - ShareOfEdges;
+  }
+  if (!last.Doubts.empty())
+  {
+    const auto traced = std::count(last.Doubts.begin(), last.Doubts.end(), 0.0f);
+    statistics.Progress *= static_cast<double>(traced) / static_cast<double>(last.Doubts.size());
   }
   statistics.IsFinal = statistics.Progress >= 1.0;
 }
@@ -228,6 +235,10 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       return CompositeKnownLayers(task);
     case Route::KeepValues:
       return BlendKnownValues(task);
+    case Route::FewerRays:
+      return TraceFewerRays(task, this->Grid);
+    case Route::Refine:
+      return TraceBetweenRays(task);
     case Route::Cold:
       break;
   }
@@ -251,9 +262,11 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
 Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const
 {
   const CachedImage& last = this->Store.Last();
+  ReuseSwitches switches = options.Reuse;
+  switches.FewerRays = CanHaveFewerRays(key, options);
   if (last.Picture.IsEmpty())
   {
-    return Route::Cold;
+    return switches.FewerRays ? Route::FewerRays : Route::Cold;
   }
   const bool isExactAsked = options.Accuracy == ReuseAccuracy::Exact;
   HeldForReuse held;
@@ -265,8 +278,8 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   held.ShareToTrace = this->Changes.ShareToTrace();
   held.IsLightFinal = this->IsLightFinal;
   held.IsSmooth = WantsSmoothEdges(key, options) == last.Picture.IsAntialiased();
-  held.Values = !last.Picture.Met.empty();
-  ReuseSwitches switches = options.Reuse;
+  held.IsBetweenRays = !last.Doubts.empty();
+  held.Values = !last.Picture.Met.empty() && !held.IsBetweenRays;
   // A picture from an isomap does not serve a request with another tolerance.
   switches.RefineWhenStill |= !(this->LastForm == Isomap::FormFor(key, options.Map));
   switches.RefineWhenStill |= isExactAsked || !switches.Frames;

@@ -57,6 +57,8 @@ public:
   /// The last frame, and the key it was made for. The frame is empty before the first one.
   const Frame& LastFrame() const { return this->Store.Last().Picture; }
   const FrameKey& LastKey() const { return this->Store.Last().Key; }
+  /// True if the last frame has pixels between rays.
+  bool IsLastBetweenRays() const { return !this->Store.Last().Doubts.empty(); }
   const FrameStatistics& Statistics() const { return this->OfLastFrame; }
 
   /// The value ranges and hidden cells of the data of `key`. Does not change any state that frames
@@ -96,6 +98,7 @@ private:
   void KeepLight(const SurfaceLight* ofPixels, const SurfaceLight* ofEdges, FrameTask& task);
 
   FrameStore Store;
+  FrameStore Grid; ///< memory for the rays of a frame from fewer rays
   FrameStructures Structures;
   SampleComparer Changes;            ///< from the samples of the last frame to those of the next
   IsomapBuilder Map;                 ///< of the view in which isovalues last changed

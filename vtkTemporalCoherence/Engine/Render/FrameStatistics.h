@@ -21,13 +21,17 @@ struct FrameStatistics
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
   std::int64_t FieldSamples = 0;  ///< samples read to find surfaces and to build an isomap
-  bool IsFinal = true;            ///< false: light or edges get better if the frame is made again
-  double Progress = 1.0;          ///< of light and edges, from 0 to 1; 1 if they are final
+  bool IsFinal = true;            ///< false: the picture gets better if the frame is made again
+  double Progress = 1.0;          ///< towards the final picture, from 0 to 1
   std::int64_t Layers = 0;        ///< surfaces that were composited, if some are translucent
   std::int64_t MergedLayers = 0;  ///< of these, layers that were merged into one in front
   std::int64_t TilesLookedUp = 0; ///< in existing bands of an isomap
   std::int64_t TilesBuilt = 0;    ///< looked up in bands built for this frame
   std::int64_t TilesTraced = 0;   ///< on the routes of an isomap
+  std::int64_t GridRays = 0;      ///< of a frame from fewer rays: those of the grid
+  double GridTime = 0.0;          ///< seconds to trace these
+  double TilesTime = 0.0;         ///< seconds to make tiles
+  double FillTime = 0.0;          ///< seconds to fill the tiles between rays
   double FrameTime = 0.0;         ///< seconds in total
   double TraceTime = 0.0;         ///< of these, structures and rays
   double QueryTime = 0.0;         ///< of these, querying the image cache
@@ -54,6 +58,7 @@ struct FrameStatistics
     this->QueryTime += query;
     this->ShadeTime += shade;
     this->TraceTime += seconds - build - query - shade;
+    this->TilesTime += seconds;
   }
 };
 

@@ -37,6 +37,7 @@ void FrameStore::Begin(const FrameKey& key, const FrameExtras& extras)
   next.Picture.Antialiased.clear();
   next.Key = key;
   next.IsExact = true;
+  next.Doubts.clear();
 }
 
 void FrameStore::Finish(const ImageCache::Options& options)

@@ -6,6 +6,7 @@
 #include "Acceleration/FieldStructures.h"
 #include "Acceleration/TileBounds.h"
 #include "Scene/FrameKey.h"
+#include "Volumes/Beams/CompositeTables.h"
 
 #include <memory>
 #include <utility>
@@ -69,6 +70,9 @@ public:
   /// Reassign structures of the field `before` to `now`, whose samples are equal but lie elsewhere.
   void MoveTo(const Field& now, const Field& before);
 
+  /// The tables of the last composite volume.
+  KeptTables& TablesOfVolume() { return this->Tables; }
+
   FieldStructures& SharedByAll() { return *this->Shared; }
   const std::shared_ptr<FieldStructures>& Sharing() const { return this->Shared; }
 
@@ -82,6 +86,7 @@ private:
   std::shared_ptr<const SurfaceCells> OfSurfaces = std::make_shared<const SurfaceCells>();
   std::vector<std::shared_ptr<const FieldRanges>> OfOthers; ///< Blending::Others
   std::shared_ptr<const VisibleCells> OfVolume = std::make_shared<const VisibleCells>();
+  KeptTables Tables;
   TileBounds Bounds;
   // The input of Bounds:
   const ActiveCells* BoundCells = nullptr; ///< of OfSurfaces or OfVolume; null: Bounds are invalid

@@ -45,37 +45,8 @@ Route PlanVolume(const FrameChange& change, const FrameKey& last, const FrameKey
   return !isOther && isKnown ? Route::KeepValues : Route::Cold;
 }
 
-}
-
-const char* NameOf(Route route)
-{
-  switch (route)
-  {
-    case Route::Cold:
-      return "Cold";
-    case Route::Redisplay:
-      return "Redisplay";
-    case Route::Reshade:
-      return "Reshade";
-    case Route::IsomapLookup:
-      return "IsomapLookup";
-    case Route::IsomapBuild:
-      return "IsomapBuild";
-    case Route::ImageCache:
-      return "ImageCache";
-    case Route::TimeStep:
-      return "TimeStep";
-    case Route::Recomposite:
-      return "Recomposite";
-    case Route::KeepValues:
-      return "KeepValues";
-    case Route::Antialias:
-      return "Antialias";
-  }
-  return "";
-}
-
-Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,
+/// The route if every pixel gets a ray.
+Route PlanWhole(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,
   const HeldForReuse& held)
 {
   const FrameChange change = CompareFrames(last, next);
@@ -88,7 +59,8 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
     return PlanVolume(change, last, next, switches, held);
   }
   const bool isSame = !change.Data && !change.View && !change.Surfaces && !change.Opacity;
-  if (isSame && (held.IsExact || !switches.RefineWhenStill))
+  const bool refines = switches.RefineWhenStill || held.IsBetweenRays;
+  if (isSame && (held.IsExact || !refines))
   {
     const Route asItIs = held.IsSmooth ? Route::Redisplay : Route::Antialias;
     return change.Appearance || !held.IsLightFinal ? Route::Reshade : asItIs;
@@ -118,6 +90,67 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
     return Route::Cold;
   }
   return switches.Isomap && held.CanBuildIsomap ? Route::IsomapBuild : Route::Cold;
+}
+
+/// True if two keys give the same picture.
+bool GiveSamePicture(const FrameKey& last, const FrameKey& next)
+{
+  const FrameChange change = CompareFrames(last, next);
+  return last.IsBlended() == next.IsBlended() && !change.Data && !change.View && !change.Surfaces &&
+    !change.Opacity && !change.Appearance && !change.Blending;
+}
+
+/// True if a route takes about as long as tracing every ray. Of translucent surfaces, an isomap
+/// tells only the first on each ray.
+bool TracesAll(Route route, const FrameKey& next)
+{
+  const bool looksUp = route == Route::IsomapLookup || route == Route::IsomapBuild;
+  return route == Route::Cold || (looksUp && next.Isosurfaces().IsTranslucent());
+}
+
+}
+
+const char* NameOf(Route route)
+{
+  switch (route)
+  {
+    case Route::Cold:
+      return "Cold";
+    case Route::Redisplay:
+      return "Redisplay";
+    case Route::Reshade:
+      return "Reshade";
+    case Route::IsomapLookup:
+      return "IsomapLookup";
+    case Route::IsomapBuild:
+      return "IsomapBuild";
+    case Route::ImageCache:
+      return "ImageCache";
+    case Route::TimeStep:
+      return "TimeStep";
+    case Route::Recomposite:
+      return "Recomposite";
+    case Route::KeepValues:
+      return "KeepValues";
+    case Route::Antialias:
+      return "Antialias";
+    case Route::FewerRays:
+      return "FewerRays";
+    case Route::Refine:
+      return "Refine";
+  }
+  return "";
+}
+
+Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,
+  const HeldForReuse& held)
+{
+  if (held.IsBetweenRays && GiveSamePicture(last, next))
+  {
+    return Route::Refine;
+  }
+  const Route route = PlanWhole(last, next, switches, held);
+  return switches.FewerRays && TracesAll(route, next) ? Route::FewerRays : route;
 }
 
 }

@@ -22,7 +22,9 @@ enum class Route : std::uint8_t
   TimeStep,        ///< other samples in the same view: tiles that they do not affect are copied
   Recomposite,     ///< only opacities changed: known layers are composited again
   KeepValues = 10, ///< only a projection's colours changed: known values get colours
-  Antialias        ///< nothing changed: pixels at edges get more rays, or lose them
+  Antialias,       ///< nothing changed: pixels at edges get more rays, or lose them
+  FewerRays,       ///< some rays are traced, and pixels between them are interpolated
+  Refine           ///< nothing changed: tiles between rays are traced
 };
 
 /// The route's name as in the documentation, for example "Cold".
@@ -34,6 +36,7 @@ struct ReuseSwitches
   bool Frames = true; ///< all earlier pictures
   bool Isomap = true;
   bool RefineWhenStill = true; ///< a repeated view ends in the cold picture
+  bool FewerRays = false;      ///< a frame that would trace all rays traces fewer
 };
 
 /// The data available for the next frame.
@@ -47,7 +50,8 @@ struct HeldForReuse
   double ShareToTrace = 1.0;  ///< share of the tiles that changed samples affect; 1 if unknown
   bool IsLightFinal = true;   ///< more rays would not change the light of the last picture
   bool IsSmooth = true; ///< the edges of the last picture have as many rays as they shall have
-  bool Values = false;  ///< the last frame keeps the values that a projection's rays met
+  bool IsBetweenRays = false; ///< some tiles of the last picture lie between rays
+  bool Values = false;        ///< the last frame keeps the values that a projection's rays met
 };
 
 /// Choose the best route from the last frame to the next one. A pure function, so that every

@@ -3,6 +3,7 @@
 #include "Render/Routes.h"
 
 #include "ImageCache/PaperHint.h"
+#include "Render/ColdTiles.h"
 #include "Render/RouteSteps.h"
 #include "Render/SavedColors.h"
 #include "Scene/Timers.h"
@@ -149,6 +150,25 @@ bool ShadeAgain(FrameTask& task)
 bool TraceCold(FrameTask& task)
 {
   return TraceTiles(task, Begin(task, task.Options.SpaceLeaping, ExtrasOf(task)), nullptr);
+}
+
+LeapedSpace BeginSurfaces(FrameTask& task)
+{
+  return Begin(task, task.Options.SpaceLeaping, ExtrasOf(task));
+}
+
+TileWork SurfaceWork(const FrameTask& task, const LeapedSpace& space)
+{
+  const auto tracer = std::make_shared<const TileTracer>(SceneOf(task, space, nullptr));
+  const auto shader =
+    std::make_shared<const TileShader>(ShadeSceneOf(task, space), HitSet::All, HitSet::All);
+  return [tracer, shader](std::int64_t tile, const PixelRect& part, Frame& frame)
+  {
+    TileHits found;
+    TraceCounts counts = tracer->Trace(tile, part, frame, found);
+    shader->Shade(tile, part, &found, frame, counts);
+    return counts;
+  };
 }
 
 bool TraceFromImage(FrameTask& task, const CachedImage& image)

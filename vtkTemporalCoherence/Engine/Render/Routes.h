@@ -50,6 +50,20 @@ bool BlendCold(FrameTask& task);
 /// the last frame. Rays are searched if their extreme was invisible then and may be visible now.
 bool BlendKnownValues(FrameTask& task);
 
+/// True if a frame can and shall be made from fewer rays. Frames with ambient occlusion or shadows
+/// are not, as they keep the light of every pixel. Colours of answers and PAPER need all rays, too.
+bool CanHaveFewerRays(const FrameKey& key, const FrameOptions& options);
+
+/// FewerRays: rays on a grid are traced, then the tiles that these predict worst. The others are
+/// interpolated.
+/// \param grid memory for the rays of the grid
+bool TraceFewerRays(FrameTask& task, FrameStore& grid);
+
+/// Refine: tiles of the last frame that lie between rays are traced, the worst first. The others
+/// are kept.
+/// \pre the last frame has the same key
+bool TraceBetweenRays(FrameTask& task);
+
 /// ImageCache: a cached image tells where walks begin.
 /// \pre the accuracy is not Exact
 bool TraceFromImage(FrameTask& task, const CachedImage& image);

@@ -34,7 +34,7 @@ bool HasTransferRange(const Blending& volume)
 }
 
 std::shared_ptr<const BlendTracer> MakeLatticeBlendTracer(
-  const BlendScene& scene, const GridCoordinates* grid)
+  const BlendScene& scene, const GridCoordinates* grid, KeptTables* kept)
 {
   switch (scene.Key.Blended().Mode)
   {
@@ -44,7 +44,7 @@ std::shared_ptr<const BlendTracer> MakeLatticeBlendTracer(
         ? MakeSampledExtremes(scene, grid, &MakeSegmentSource)
         : MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
     case BlendMode::Composite:
-      return IsPlain(scene, grid) ? MakeCompositeTracer(scene)
+      return IsPlain(scene, grid) ? MakeCompositeTracer(scene, kept)
         : scene.Key.Blended().SampleDistance > 0.0
         ? MakeSampledTracer(scene, grid, &MakeSegmentSource)
         : MakeConvergedTracer(scene, grid, &MakeSegmentSource);

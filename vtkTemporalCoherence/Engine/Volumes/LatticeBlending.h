@@ -4,6 +4,7 @@
 #define TemporalCoherence_LatticeBlending_h
 
 #include "Scene/GridCoordinates.h"
+#include "Volumes/Beams/CompositeTables.h"
 #include "Volumes/Medium/BlendTracer.h"
 
 #include <memory>
@@ -16,7 +17,7 @@ namespace TemporalCoherence
 /// \return null if the mode has no tracer
 /// \throws std::bad_alloc
 std::shared_ptr<const BlendTracer> MakeLatticeBlendTracer(
-  const BlendScene& scene, const GridCoordinates* grid = nullptr);
+  const BlendScene& scene, const GridCoordinates* grid = nullptr, KeptTables* kept = nullptr);
 
 }
 

@@ -76,6 +76,13 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
   }
 }
 
+RayBudget::Choice MapperFrames::ChooseRays(
+  const Viewer& viewer, std::int64_t pixels, double allowed, double most) const
+{
+  const auto state = this->Viewers.Find(viewer);
+  return (state ? state->Budget : RayBudget()).Choose(pixels, allowed, most);
+}
+
 Isomap::Outcome MapperFrames::BuildIsomap(const Viewer& viewer, const FrameRequest& request,
   const FrameRenderer::Options& options, const ReportProgress& report, std::string& error)
 {

@@ -5,6 +5,7 @@
 
 #include "Input/CellOrigins.h"
 #include "Render/FrameRenderer.h"
+#include "Render/RayBudget.h"
 #include "Window/PeelPresenter.h"
 #include "Window/PicturePresenter.h"
 #include "vtkTemporalCoherenceCompatibility.h"
@@ -54,8 +55,20 @@ struct ViewerState
       this->PictureNumber, this->Engine.LastKey().IsBlended(), this->ComparesDepths };
   }
 
+  /// Learn how long rays took in the last frame, unless it used known ones.
+  /// \param allowed seconds for the frame
+  void LearnTimes(double allowed)
+  {
+    const FrameStatistics& last = this->Engine.Statistics();
+    if (last.Made == Route::Cold || last.Made == Route::FewerRays)
+    {
+      this->Budget.Learn(last, !this->Engine.IsLastBetweenRays(), allowed);
+    }
+  }
+
   Viewer Of;
   FrameRenderer Engine;
+  RayBudget Budget; ///< of frames for windows
   PicturePresenter Presenter;
   PeelPresenter Peels;
   std::vector<int> IsovaluePlaces; ///< position in the property's list, for each isovalue drawn

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Render/ColdTiles.h"
+#include "Render/GridKey.h"
+#include "Render/RayGrid.h"
+#include "Render/RouteSteps.h"
+#include "Render/Routes.h"
+#include "Render/SampleDistance.h"
+#include "Render/TileLister.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// The share of a frame's progress that the grid of rays takes.
+constexpr double ShareOfGrid = 0.5;
+
+LeapedSpace BeginWhole(FrameTask& task)
+{
+  return task.Key.IsBlended() ? BeginBlended(task) : BeginSurfaces(task);
+}
+
+TileWork WorkOf(const FrameTask& task, const LeapedSpace& space)
+{
+  return task.Key.IsBlended() ? BlendedWork(task, space) : SurfaceWork(task, space);
+}
+
+/// The tiles of doubt.
+/// \param worstFirst else neighbours follow each other, which takes less time
+std::vector<std::int64_t> TilesOfDoubt(const std::vector<float>& doubts, bool worstFirst)
+{
+  std::vector<std::int64_t> tiles;
+  for (std::size_t tile = 0; tile < doubts.size(); ++tile)
+  {
+    if (doubts[tile] > 0.0f)
+    {
+      tiles.push_back(static_cast<std::int64_t>(tile));
+    }
+  }
+  if (worstFirst)
+  {
+    std::stable_sort(tiles.begin(), tiles.end(),
+      [&](std::int64_t a, std::int64_t b)
+      { return doubts[static_cast<std::size_t>(a)] > doubts[static_cast<std::size_t>(b)]; });
+  }
+  return tiles;
+}
+
+/// Make the frame: trace tiles of doubt, the worst first, as many as there may be. Call
+/// fill(tile, part, frame) for all others.
+/// \param work   of a cold frame
+/// \param doubts of the tiles; those that are traced become 0
+template <typename Fill>
+bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& work,
+  std::vector<float>& doubts, const Fill& fill)
+{
+  const FewerRays& fewer = task.Options.Fewer;
+  const bool areFewer = fewer.AreAsked();
+  std::vector<std::int64_t> worst = TilesOfDoubt(doubts, areFewer);
+  if (areFewer && fewer.Tiles < static_cast<std::int64_t>(worst.size()))
+  {
+    worst.resize(static_cast<std::size_t>(std::max<std::int64_t>(fewer.Tiles, 0)));
+  }
+  TileLister lister(task);
+  std::size_t traced = 0;
+  const auto goOn = [&]() { return !areFewer || !fewer.HasTime || fewer.HasTime(); };
+  if (!lister.MakeFront(worst, report, goOn, work, traced))
+  {
+    return false;
+  }
+  std::vector<std::uint8_t> isTraced(doubts.size(), 0);
+  for (std::size_t i = 0; i < traced; ++i)
+  {
+    const auto tile = static_cast<std::size_t>(worst[i]);
+    isTraced[tile] = 1;
+    doubts[tile] = 0.0f;
+  }
+  std::vector<std::int64_t> others;
+  for (std::size_t tile = 0; tile < doubts.size(); ++tile)
+  {
+    if (!isTraced[tile])
+    {
+      others.push_back(static_cast<std::int64_t>(tile));
+    }
+  }
+  const double before = task.Statistics.TilesTime;
+  lister.MakeAll(others, fill);
+  task.Statistics.FillTime = task.Statistics.TilesTime - before;
+  task.Statistics.TilesTime = before;
+  lister.Finish();
+  CachedImage& made = task.Store.Next();
+  made.IsExact =
+    std::all_of(doubts.begin(), doubts.end(), [](float doubt) { return doubt == 0.0f; });
+  made.Doubts = made.IsExact ? std::vector<float>() : doubts;
+  return true;
+}
+
+/// Trace the rays of the grid.
+/// \param whole space of the picture with all rays
+bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, FrameStore& grid)
+{
+  FrameStatistics& sum = task.Statistics;
+  FrameStatistics statistics;
+  FrameExtras extras;
+  extras.Cells = task.Key.Samples.Shape->Abilities().IsMesh;
+  grid.Begin(key, extras);
+  TileBounds bounds;
+  if (whole.Active)
+  {
+    bounds.Unite(*whole.Bounds, task.Key.View.Size, key.View.Size);
+  }
+  FrameTask ofGrid{ key, task.Options, grid, task.Structures, statistics, nullptr,
+    PartOf(task.Report, 0.0, ShareOfGrid) };
+  {
+    const Stopwatch watch(sum.GridTime);
+    // One by one: a grid has too few tiles for groups.
+    std::vector<std::int64_t> tiles(static_cast<std::size_t>(NumberOfTiles(key.View.Size)));
+    std::iota(tiles.begin(), tiles.end(), std::int64_t(0));
+    TileLister lister(ofGrid);
+    std::size_t number = 0;
+    const TileWork work = WorkOf(ofGrid, { whole.Active, &bounds });
+    if (!lister.MakeFront(
+          tiles, ofGrid.Report, []() { return true; }, work, number))
+    {
+      return false;
+    }
+    lister.Finish();
+  }
+  sum.GridRays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
+  sum.TracedRays += statistics.TracedRays;
+  sum.FieldSamples += statistics.FieldSamples;
+  sum.Layers += statistics.Layers;
+  sum.MergedLayers += statistics.MergedLayers;
+  sum.TraceTime += statistics.TraceTime;
+  sum.ShadeTime += statistics.ShadeTime;
+  return true;
+}
+
+/// Copy a tile from a picture of the same key as it is, answers and kept values included.
+/// \pre both pictures have the same planes
+TraceCounts KeepTile(
+  std::int64_t tile, const PixelRect& part, const Frame& from, bool isParallel, Frame& frame)
+{
+  const TraceCounts counts = CopyTile(tile, part, from, isParallel, frame);
+  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
+  {
+    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(y) * frame.Size.x + part.First.x;
+    std::copy_n(from.Answers.begin() + row, part.Size.x, frame.Answers.begin() + row);
+  }
+  const auto met = static_cast<std::ptrdiff_t>(frame.Met.size() / frame.ClearTiles.size());
+  std::copy_n(from.Met.begin() + met * tile, met, frame.Met.begin() + met * tile);
+  return counts;
+}
+
+/// True if two frames have the same optional planes.
+bool HaveSamePlanes(const Frame& a, const Frame& b)
+{
+  bool areSame = a.Met.size() == b.Met.size() && a.Layers.size() == b.Layers.size();
+  Frame::ForEachPlane(
+    0.0f, [&](auto plane, const auto&) { areSame &= (a.*plane).size() == (b.*plane).size(); });
+  return areSame;
+}
+
+}
+
+bool CanHaveFewerRays(const FrameKey& key, const FrameOptions& options)
+{
+  const glm::ivec2 rays = RaysFor(key.View.Size, options.Fewer.Distance);
+  return options.Fewer.AreAsked() && options.Accuracy == ReuseAccuracy::Exact &&
+    !key.Appearance.HasMutualLight() && !key.Appearance.ColorByAnswer && rays.x > 1 && rays.y > 1;
+}
+
+bool TraceFewerRays(FrameTask& task, FrameStore& grid)
+{
+  const LeapedSpace space = BeginWhole(task);
+  const FrameKey key =
+    KeyOfGrid(task.Key, RaysFor(task.Key.View.Size, task.Options.Fewer.Distance));
+  if (!TraceGrid(task, key, space, grid))
+  {
+    return false;
+  }
+  const RayGrid rays(grid.Next().Picture, task.Key);
+  std::vector<float> doubts = rays.FindDoubts();
+  for (std::size_t tile = 0; space.Active && tile < doubts.size(); ++tile)
+  {
+    const bool showsNothing = space.Bounds->At(static_cast<std::int64_t>(tile)).IsEmpty();
+    doubts[tile] = showsNothing ? 0.0f : doubts[tile];
+  }
+  const TileWork work = WorkOf(task, space);
+  return TraceWorst(task, PartOf(task.Report, ShareOfGrid, 1.0), work, doubts,
+    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
+    {
+      const bool isBetween = doubts[static_cast<std::size_t>(tile)] > 0.0f;
+      return isBetween ? rays.Fill(tile, part, frame) : work(tile, part, frame);
+    });
+}
+
+bool TraceBetweenRays(FrameTask& task)
+{
+  const LeapedSpace space = BeginWhole(task);
+  const Frame& last = task.Store.Last().Picture;
+  if (!HaveSamePlanes(last, task.Store.Next().Picture))
+  {
+    return task.Key.IsBlended() ? BlendCold(task) : TraceCold(task);
+  }
+  std::vector<float> doubts = task.Store.Last().Doubts;
+  for (std::size_t tile = 0; tile < doubts.size(); ++tile)
+  {
+    // Layers that the last frame had to merge may fit now.
+    const bool isWhole = KeepsAllLayers(static_cast<std::int64_t>(tile), last, task.Options.Layers);
+    doubts[tile] = isWhole ? doubts[tile] : std::max(doubts[tile], 1.0f);
+  }
+  const bool isParallel = task.Key.View.Parallel;
+  return TraceWorst(task, task.Report, WorkOf(task, space), doubts,
+    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
+    { return KeepTile(tile, part, last, isParallel, frame); });
+}
+
+}

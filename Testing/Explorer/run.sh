@@ -517,6 +517,9 @@ check_opening()
 # Everything in a state of its own, kept, and found again by another process.
 check_session()
 {
+  # Without ambient occlusion: its grain depends on the frames before.
+  xdotool key 1
+  settle
   key p '^palette ivory'
   key l '^light head'
   key v '^surface solid'

@@ -26,6 +26,7 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkRectilinearGridGeometryFilter.h>
 #include <vtkThresholdPoints.h>
+#include <vtkVolumeProperty.h>
 #include <vtkXMLRectilinearGridReader.h>
 #include <vtksys/SystemTools.hxx>
 

@@ -206,6 +206,7 @@ void TestDoorOne()
   vtkNew<vtkTemporalCoherenceGPUVolumeRayCastMapper> door;
   door->SetInputData(image);
   door->SetBlendModeToIsoSurface();
+  door->GetIsosurfaceMapper()->SetAntialiasingToOff();
   Scene scene(image, { 100.0 });
   scene.LookFrom(0.3, -1.0, 0.5);
   vtkNew<vtkRenderWindow> window;

@@ -236,6 +236,7 @@ void TestReuse()
     };
     vtkContourValues* isovalues = stage.Volume->GetProperty()->GetIsoSurfaceValues();
     expect("Cold");
+    expect("Antialias");
     expect("Redisplay");
     isovalues->SetValue(0, 101.0);
     expect("IsomapBuild");
@@ -246,6 +247,7 @@ void TestReuse()
     expect("IsomapLookup");
     stage.Renderer->GetActiveCamera()->Azimuth(2.0);
     expect("Cold");
+    expect("Antialias");
     expect("Redisplay");
     stage.Volume->GetProperty()->SetAmbient(0.3);
     expect("Reshade");

@@ -66,6 +66,7 @@ class Picture:
 
     def __init__(self, image: vtkImageData, kind: str, values: list[float]):
         self.mapper = vtkTemporalCoherenceVolumeMapper()
+        self.mapper.SetAntialiasingToOff()  # pictures of single rays are compared
         self.mapper.SetInputData(image)
         self.volume = vtkVolume()
         self.volume.SetMapper(self.mapper)

@@ -18,6 +18,7 @@ import time
 
 import numpy
 import volumes
+from views import look_at, print_rows
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
@@ -27,7 +28,6 @@ VOLUMES = ("engine.vti:70", "brain.vti:40", "cthead.vti:600", "aneurism.vti:60")
 SIZE = 1024
 TURNS = 7
 SHIFTS = 8  # of the truth, along each axis of a pixel
-VIEWS = {"whole": 1.3, "close": 2.2}
 
 
 class Picture:
@@ -84,11 +84,7 @@ def measure(name: str, isovalue: float, view: str) -> str:
     picture = Picture(image, isovalue)
     renderer = vtkRenderer()
     camera = renderer.GetActiveCamera()
-    renderer.ResetCamera(picture.volume.GetBounds())
-    camera.Azimuth(30)
-    camera.Elevation(20)
-    camera.Zoom(VIEWS[view])
-    renderer.ResetCameraClippingRange(picture.volume.GetBounds())
+    look_at(renderer, picture.volume.GetBounds(), view)
     picture.make(renderer)
     cold, smooth, share = [], [], []
     for _ in range(TURNS):
@@ -114,10 +110,7 @@ def main() -> None:
     print("| volume, isovalue, view | hits, million | cold, ms | antialiasing / cold | rays / hit "
           "| error: one ray | antialiased | ratio | worst: one ray | antialiased |")
     print("|---|---|---|---|---|---|---|---|---|---|")
-    for asked in sys.argv[1:] or VOLUMES:
-        name, isovalue = asked.rsplit(":", 1)
-        for view in VIEWS:
-            print(measure(name, float(isovalue), view), flush=True)
+    print_rows(sys.argv[1:] or VOLUMES, measure)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Time and error of ambient occlusion (the first frame, turning frames, a still view), and the time of
-hard shadows of one light.
+"""Time and error of ambient occlusion (the first frame, turning frames, a still view), and the time
+of hard shadows of one light.
 
-Prints a table in Markdown. Frames without both are made in turns with the others, in the same views. Errors are mean differences from the final picture, in steps of a byte.
+Prints a table in Markdown. Frames without both are made in turns with the others, in the same
+views. Errors are mean differences from the final picture, in steps of a byte.
 
 usage: light.py [VOLUME:ISOVALUE]...   with the package vtkTemporalCoherence in PYTHONPATH
 """
@@ -17,6 +18,7 @@ import time
 
 import numpy
 import volumes
+from views import look_at, print_rows
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkLight, vtkRenderer, vtkVolume
@@ -25,7 +27,6 @@ from vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
 VOLUMES = ("engine.vti:70", "bonsai.vti:40", "brain.vti:40", "cthead.vti:600")
 SIZE = 1024
 TURNS = 21
-VIEWS = {"whole": 1.3, "close": 2.2}
 
 
 class Picture:
@@ -94,11 +95,7 @@ def measure(name: str, isovalue: float, view: str) -> str:
     light.SetPosition(1.0, -0.6, 1.4)
     renderer.AddLight(light)
     camera = renderer.GetActiveCamera()
-    renderer.ResetCamera(lit.volume.GetBounds())
-    camera.Azimuth(30)
-    camera.Elevation(20)
-    camera.Zoom(VIEWS[view])
-    renderer.ResetCameraClippingRange(lit.volume.GetBounds())
+    look_at(renderer, lit.volume.GetBounds(), view)
     for picture in (plain, lit, shadowed):
         picture.set_up(renderer)
     shadowed.mapper.ShadowsOn()
@@ -123,7 +120,8 @@ def measure(name: str, isovalue: float, view: str) -> str:
     return (
         f"| {name}, {isovalue:g}, {view} | {(final >= 0).sum() / 1e6:.2f} | {base:.0f} "
         f"| {turning[0] / base:.1f} | {statistics.median(turning[TURNS // 2:]) / base:.1f} "
-        f"| {still:.0f} | {frames} | {first_error:.1f} | {error(last, final):.1f} | {statistics.median(shadows) / base:.1f} |")
+        f"| {still:.0f} | {frames} | {first_error:.1f} | {error(last, final):.1f} "
+        f"| {statistics.median(shadows) / base:.1f} |")
 
 
 def main() -> None:
@@ -131,10 +129,7 @@ def main() -> None:
           f"| still, ms | still frames | error: first frame | after {TURNS - 1} turns "
           "| hard shadows / cold |")
     print("|---|---|---|---|---|---|---|---|---|---|")
-    for asked in sys.argv[1:] or VOLUMES:
-        name, isovalue = asked.rsplit(":", 1)
-        for view in VIEWS:
-            print(measure(name, float(isovalue), view), flush=True)
+    print_rows(sys.argv[1:] or VOLUMES, measure)
 
 
 if __name__ == "__main__":

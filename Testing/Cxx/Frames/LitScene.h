@@ -6,6 +6,8 @@
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
 
+#include <vtkSmartPointer.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -16,6 +18,25 @@ inline double BallAndBowl(double x, double y, double z)
   const double ball = 0.42 - std::hypot(x - 0.1, y, z - 0.35);
   const double bowl = 0.35 * (x * x + y * y) - 0.55 - z;
   return 100.0 + 100.0 * std::max(ball, bowl);
+}
+
+/// A floor at height 4 below a ceiling at height 12, where values are 4. Seventeen samples high.
+inline vtkSmartPointer<vtkImageData> FloorBelowCeiling(int side)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(side, side, 17);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  for (int k = 0; k < 17; ++k)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      for (int i = 0; i < side; ++i)
+      {
+        *static_cast<float*>(image->GetScalarPointer(i, j, k)) = std::abs(k - 8.0f);
+      }
+    }
+  }
+  return image;
 }
 
 /// A scene whose colours are what ambient occlusion leaves of white: 255 where all light arrives.

@@ -211,19 +211,7 @@ void TestConvex()
 void TestCeiling()
 {
   constexpr double height = 8.0, radius = 10.0;
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(81, 81, 17);
-  image->AllocateScalars(VTK_FLOAT, 1);
-  for (int k = 0; k < 17; ++k)
-  {
-    for (int j = 0; j < 81; ++j)
-    {
-      for (int i = 0; i < 81; ++i)
-      {
-        *static_cast<float*>(image->GetScalarPointer(i, j, k)) = std::abs(k - 8.0f);
-      }
-    }
-  }
+  const auto image = FloorBelowCeiling(81);
   for (const double opacity : { 1.0, 0.5, 0.1 })
   {
     LitScene scene(image, { height / 2.0 });

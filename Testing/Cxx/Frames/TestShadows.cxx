@@ -348,19 +348,7 @@ void TestSoftShadows()
 /// A floor below a ceiling, and the sun above both.
 void TestTranslucent()
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(41, 41, 17);
-  image->AllocateScalars(VTK_FLOAT, 1);
-  for (int k = 0; k < 17; ++k)
-  {
-    for (int j = 0; j < 41; ++j)
-    {
-      for (int i = 0; i < 41; ++i)
-      {
-        *static_cast<float*>(image->GetScalarPointer(i, j, k)) = std::abs(k - 8.0f);
-      }
-    }
-  }
+  const auto image = FloorBelowCeiling(41);
   for (const double opacity : { 1.0, 0.5, 0.2 })
   {
     SunnyScene scene(image, { 4.0 });

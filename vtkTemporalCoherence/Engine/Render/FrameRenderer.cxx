@@ -37,6 +37,13 @@ bool WantsSmoothEdges(const FrameKey& key, const FrameOptions& options)
   return options.Antialias != Antialiasing::Off && !key.Appearance.ColorByAnswer;
 }
 
+/// Rays that each hit sends in a frame to find light.
+std::uint32_t RaysOfFrame(const LightOptions& options, bool isStill)
+{
+  const std::uint32_t whenStill = options.AtOnce ? options.Rays : options.RaysWhenStill;
+  return isStill ? whenStill : options.RaysOfFrame;
+}
+
 /// True if nothing has changed since the last frame.
 bool IsRepeatOf(const CachedImage& last, const FrameKey& key)
 {
@@ -101,17 +108,9 @@ std::unique_ptr<SurfaceLight> FrameRenderer::BeginLight(const FrameTask& task, R
   {
     return nullptr;
   }
-  this->Light->Follow(key);
-  if (task.Options.SpaceLeaping)
-  {
-    task.Structures.PrepareActiveCells(key);
-  }
   const LightOptions& options = task.Options.Light;
-  const bool isStill = options.AtOnce ||
-    (route == Route::Reshade && !CompareFrames(task.Store.Last().Key, key).Appearance);
-  const std::uint32_t raysWhenStill = options.AtOnce ? options.Rays : options.RaysWhenStill;
-  return this->MakeLight(
-    task, isStill ? raysWhenStill : options.RaysOfFrame, options.Rays, isStill);
+  const bool isStill = options.AtOnce || (route == Route::Reshade && task.IsRepeated);
+  return this->MakeLight(task, RaysOfFrame(options, isStill), options.Rays, isStill);
 }
 
 /// Prepare rays that find light.
@@ -120,6 +119,11 @@ std::unique_ptr<SurfaceLight> FrameRenderer::MakeLight(
   const FrameTask& task, std::uint32_t raysOfFrame, std::uint32_t rays, bool isStill) const
 {
   const FrameKey& key = task.Key;
+  this->Light->Follow(key);
+  if (task.Options.SpaceLeaping)
+  {
+    task.Structures.PrepareActiveCells(key);
+  }
   const glm::dvec2 finite = task.Structures.Pyramid().FiniteRange();
   return std::make_unique<SurfaceLight>(key, KindOf(key.Samples), finite,
     MakeSurfaceTracer({ key.Samples, key.Isosurfaces(), finite,
@@ -152,15 +156,9 @@ bool FrameRenderer::SmoothEdges(Route route, FrameTask& task, std::unique_ptr<Su
       // The rays of a pixel share its work.
       const LightOptions& options = task.Options.Light;
       const auto shareOf = [](std::uint32_t rays) { return std::max(rays / RaysAtEdges, 1u); };
-      this->Light->Follow(key);
-      if (task.Options.SpaceLeaping)
-      {
-        task.Structures.PrepareActiveCells(key);
-      }
       const bool isStill = options.AtOnce || task.IsRepeated;
-      const std::uint32_t raysWhenStill = options.AtOnce ? options.Rays : options.RaysWhenStill;
-      light = this->MakeLight(task, shareOf(isStill ? raysWhenStill : options.RaysOfFrame),
-        shareOf(options.Rays), isStill);
+      light = this->MakeLight(
+        task, shareOf(RaysOfFrame(options, isStill)), shareOf(options.Rays), isStill);
     }
     CachedImage& made = isOfLast ? task.Store.LastToRecolor() : task.Store.Next();
     const bool isDone = Antialias(task, light.get(), made.Picture);

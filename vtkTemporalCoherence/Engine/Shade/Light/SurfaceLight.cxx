@@ -97,8 +97,9 @@ bool SurfaceLight::CanShare(
 }
 
 /// Choose the senders. While pixels share, each square of four neighbours has one sender, at
-/// another place in each frame. Else each hit is a sender. \param isTile the list holds at most one
-/// hit of each pixel of a tile
+/// another place in each frame. Else each hit is a sender.
+///
+/// \param isTile the list holds at most one hit of each pixel of a tile
 void SurfaceLight::ChooseSenders(const HitList& hits, bool isTile, Senders& senders) const
 {
   constexpr std::uint8_t none = 255;

@@ -199,8 +199,8 @@ void vtkTemporalCoherenceRefiner::OnTimer(vtkObject*, unsigned long, void* timer
     const Keep self(this);
     this->Timer = 0;
     // A frame that is being rendered, whose observers handle events, ends with another timer.
-    if (this->Enabled && this->Window && !this->Window->CheckInRenderStatus() &&
-      !this->IsInteractive())
+    if (this->Enabled && this->Window && this->Progress < 1.0 &&
+      !this->Window->CheckInRenderStatus() && !this->IsInteractive())
     {
       this->RenderAgain(this->TimerOwner);
     }

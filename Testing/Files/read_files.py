@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import atexit
+import functools
 import math
 import os
 import pathlib
@@ -50,11 +52,19 @@ class Files(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
 
+    @staticmethod
+    @functools.cache
+    def opener() -> subprocess.Popen:
+        """The program that opens each file in a process of its own. To start it takes longer than most files."""
+        opener = subprocess.Popen([OPENER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        atexit.register(opener.communicate)
+        return opener
+
     def tell(self, path: pathlib.Path, array: str = "", way: str = "tell", time_step: int = 1) -> Told:
         said = self.folder / "said"
-        request = "\t".join((way, str(path), str(said), array, str(time_step))) + "\n"
-        done = subprocess.run([OPENER], input=request, capture_output=True, text=True, check=True)
-        return Told(int(done.stdout.split()[0]), said.read_text(encoding="utf-8"))
+        opener = self.opener()
+        print(way, path, said, array, time_step, sep="\t", file=opener.stdin, flush=True)
+        return Told(int(opener.stdout.readline().split()[0]), said.read_text(encoding="utf-8"))
 
     def write(self, original: Original) -> pathlib.Path:
         for name, data in original.files.items():

@@ -131,6 +131,14 @@ void Workbench::Render()
   }
 }
 
+// What has changed is not shown by a frame that only makes the last picture better: mouse moves stop
+// that one, and films leave it out.
+void Workbench::RenderSoon()
+{
+  this->Refiner->EnabledOff();
+  this->Rendering.start(0);
+}
+
 void Workbench::OnFrameBegin()
 {
   this->FrameBegan = vtkTimerLog::GetUniversalTime();
@@ -161,6 +169,7 @@ void Workbench::OnFrameEnd()
   {
     return;
   }
+  this->Refiner->SetEnabled(!this->IsRenderDue());
   const double ms = 1000.0 * (vtkTimerLog::GetUniversalTime() - this->FrameBegan);
   if (this->Output.IsRecording() && !this->Window->GetAbortRender())
   {

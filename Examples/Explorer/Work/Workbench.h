@@ -36,7 +36,7 @@ public:
 
   // Draws the view; with soon, once after all that waits to be done.
   void SetWindow(vtkRenderWindow* window);
-  void RenderSoon() { this->Rendering.start(0); }
+  void RenderSoon();
   void Render();
   bool IsRenderDue() const { return this->Rendering.isActive(); }
 

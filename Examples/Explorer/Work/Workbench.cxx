@@ -131,8 +131,8 @@ void Workbench::Render()
   }
 }
 
-// What has changed is not shown by a frame that only makes the last picture better: mouse moves stop
-// that one, and films leave it out.
+// What has changed is not shown by a frame that only makes the last picture better: mouse moves
+// stop that one, and films leave it out.
 void Workbench::RenderSoon()
 {
   this->Refiner->EnabledOff();

@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Integral/BlendTruth.h"
+#include "Checks/Infinity.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 using namespace TemporalCoherence;
 
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Gauss's points and weights on [0, 1], exact for polynomials of degree 5.
 constexpr std::array<double, 3> GaussAt{ 0.11270166537925831, 0.5, 0.8872983346207417 };

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Truth/BruteForceTracer.h"
+#include "Checks/Infinity.h"
 
 #include <vtkCamera.h>
 #include <vtkMath.h>
@@ -10,15 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace
 {
 
 using Point = BruteForceField::Point;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// A distance along a ray, and the plane between cells that the ray passes there, if any.
 struct Stop

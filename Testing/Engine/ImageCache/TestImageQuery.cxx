@@ -4,6 +4,7 @@
 // What a cached picture of a sphere tells about the rays of other views is right, and nothing is
 // known of rays that it does not show.
 
+#include "Checks/Infinity.h"
 #include "Grid.h"
 #include "ImageCache/ImageQuery.h"
 #include "Lattice/RaySource.h"
@@ -12,14 +13,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace
 {
 
 using namespace TemporalCoherence;
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Radius = 12.0;
 
 /// A sphere in the middle of a field, and pictures of it.

@@ -4,6 +4,7 @@
 // A kind of field that the engine does not know, and that has no samples, takes every route that it
 // says it can: no part of the engine asks which kind a field is.
 
+#include "Checks/Infinity.h"
 #include "Grid.h"
 #include "Kinds/FunctionKind.h"
 #include "Render/FrameRenderer.h"
@@ -14,7 +15,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <new>
 #include <string>
 #include <vector>
@@ -24,7 +24,6 @@ namespace
 
 using namespace TemporalCoherence;
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double LargestGradient = 0.36; ///< of Waves
 
 SmoothFunction Waves()

@@ -4,6 +4,7 @@
 // Rays that walk in vectors visit the cells of a walk one by one, on every kind of vectors. Threads
 // may ask for the same leaves at the same time.
 
+#include "Checks/Infinity.h"
 #include "EachTarget.h"
 #include "Grid.h"
 #include "Lattice/CellWalk.h"
@@ -13,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <limits>
 #include <thread>
 #include <vector>
 
@@ -21,8 +21,6 @@ namespace
 {
 
 using namespace TemporalCoherence;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// The active cells that each ray of a batch visits, in order.
 using Visits = std::vector<std::vector<glm::ivec3>>;

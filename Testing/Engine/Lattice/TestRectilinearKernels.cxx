@@ -4,6 +4,7 @@
 // Surfaces and gradients that vectors find in cells of a rectilinear field have the bits of the
 // formulas written out one by one.
 
+#include "Checks/Infinity.h"
 #include "EachTarget.h"
 #include "Kinds/FieldKind.h"
 #include "Lattice/Coordinates.h"
@@ -26,8 +27,6 @@ namespace
 {
 
 using namespace TemporalCoherence;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 class KernelsRectilinear : public EachTarget
 {

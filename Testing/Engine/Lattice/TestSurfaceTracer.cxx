@@ -4,6 +4,7 @@
 // A ray has the same hit, to the last bit, wherever its walk begins and ends, with and without
 // leaping, also beside hidden cells. THRESHOLD caps what is cut open.
 
+#include "Checks/Infinity.h"
 #include "Grid.h"
 #include "Kinds/FieldKind.h"
 #include "Lattice/RaySource.h"
@@ -21,8 +22,6 @@ namespace
 {
 
 using namespace TemporalCoherence;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 RayBatch RaysOfTile(const View& view, const glm::ivec3& dimensions, const glm::ivec2& tile)
 {

@@ -3,6 +3,8 @@
 #ifndef Testing_RandomExtremes_h
 #define Testing_RandomExtremes_h
 
+#include "Checks/Infinity.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@
 #include <type_traits>
 #include <vector>
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Huge = std::numeric_limits<double>::max();
 constexpr double Denormal = std::numeric_limits<double>::denorm_min();
 

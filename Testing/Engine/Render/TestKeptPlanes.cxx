@@ -23,7 +23,7 @@ namespace
 using namespace TemporalCoherence;
 
 const glm::ivec3 Dimensions(48, 40, 44);
-const glm::ivec2 Size(131, 93);
+const glm::ivec2 KeptSize(131, 93);
 
 /// The planes of an exact picture are those of a cold one, those of answers left out.
 void ExpectSamePlanes(const Frame& made, const Frame& cold, const std::string& what)
@@ -77,7 +77,7 @@ protected:
 
   void LookFrom(const glm::dvec3& from, bool isParallel)
   {
-    this->Key.View = LookAt(Dimensions, from, Size, isParallel);
+    this->Key.View = LookAt(Dimensions, from, KeptSize, isParallel);
   }
 
   void SetTranslucent(bool isTranslucent)

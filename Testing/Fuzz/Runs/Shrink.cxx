@@ -14,10 +14,10 @@ namespace Fuzz
 namespace
 {
 
-using Run = std::vector<std::uint8_t>;
+using RunBytes = std::vector<std::uint8_t>;
 
 /// True if a run fails, or crashes, in a process of its own.
-bool FailsApart(const Run& bytes, const std::function<bool(const Run&)>& fails)
+bool FailsApart(const RunBytes& bytes, const std::function<bool(const RunBytes&)>& fails)
 {
   const pid_t child = fork();
   if (child == 0)
@@ -35,9 +35,9 @@ bool FailsApart(const Run& bytes, const std::function<bool(const Run&)>& fails)
 }
 
 std::vector<std::uint8_t> Shrink(
-  std::vector<std::uint8_t> bytes, const std::function<bool(const Run&)>& fails)
+  std::vector<std::uint8_t> bytes, const std::function<bool(const RunBytes&)>& fails)
 {
-  const auto accept = [&](const Run& next)
+  const auto accept = [&](const RunBytes& next)
   {
     const bool isShrunk = next != bytes && FailsApart(next, fails);
     if (isShrunk)
@@ -55,7 +55,7 @@ std::vector<std::uint8_t> Shrink(
       // From the end on, so that what comes before keeps its meaning.
       for (std::size_t at = bytes.size(); at >= length; at -= std::min(at, length))
       {
-        Run without = bytes;
+        RunBytes without = bytes;
         const auto begin = without.begin() + static_cast<std::ptrdiff_t>(at - length);
         without.erase(begin, begin + static_cast<std::ptrdiff_t>(length));
         if (accept(without))
@@ -64,7 +64,7 @@ std::vector<std::uint8_t> Shrink(
         }
         else
         {
-          Run dull = bytes;
+          RunBytes dull = bytes;
           std::fill_n(
             dull.begin() + static_cast<std::ptrdiff_t>(at - length), length, std::uint8_t(0));
           isShrunk = accept(dull) || isShrunk;

@@ -93,12 +93,12 @@ TEST(Tetrahedra, AgreeWithBruteForce)
 }
 
 /// A block of cubes, each cut into five or six tetrahedra; inner points are moved about.
-class Block
+class TetrahedronBlock
 {
 public:
   static constexpr int Edge = 5;
 
-  Block(RandomCells& random, bool isMoved, bool areFive)
+  TetrahedronBlock(RandomCells& random, bool isMoved, bool areFive)
   {
     for (int p = 0; p < (Edge + 1) * (Edge + 1) * (Edge + 1); ++p)
     {
@@ -155,9 +155,9 @@ class TetrahedronBlocks : public EachTarget
 {
 protected:
   /// Rays through points, edges and anything else of a block, along axes, diagonals or anywhere.
-  static void Aim(RandomCells& random, const Block& block, MeshRays& rays)
+  static void Aim(RandomCells& random, const TetrahedronBlock& block, MeshRays& rays)
   {
-    TileAim aim = random.Aim(4.0 * Block::Edge);
+    TileAim aim = random.Aim(4.0 * TetrahedronBlock::Edge);
     aim.Along += random.Below(2) == 0 ? glm::dvec3(0.0) : glm::dvec3(1.0, 0.5, 0.25);
     aim.At(
       [&]
@@ -184,7 +184,7 @@ TEST_F(TetrahedronBlocks, RaysLeaveACellWhereTheyEnterTheNext)
   const auto spans = std::make_unique<CellSpans>();
   for (int round = 0; round < 40; ++round)
   {
-    const Block block(random, round % 4 != 0, round % 2 == 0);
+    const TetrahedronBlock block(random, round % 4 != 0, round % 2 == 0);
     const auto rays = std::make_unique<MeshRays>();
     Aim(random, block, *rays);
     std::vector<std::vector<Piece>> pieces(MeshRays::Capacity);
@@ -265,7 +265,7 @@ TEST_F(TetrahedronBlocks, KnownCellsHoldTheSameCrossings)
   const auto found = std::make_unique<Crossings>(), expected = std::make_unique<Crossings>();
   for (int round = 0; round < 40; ++round)
   {
-    const Block block(random, round % 4 != 0, round % 2 == 0);
+    const TetrahedronBlock block(random, round % 4 != 0, round % 2 == 0);
     const auto rays = std::make_unique<MeshRays>();
     Aim(random, block, *rays);
     // Each ray is searched in one of the cells that it crosses, if there is any.

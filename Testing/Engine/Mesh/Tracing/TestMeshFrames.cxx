@@ -5,6 +5,7 @@
 // the cold one.
 
 #include "Acceleration/ValueRangePyramid.h"
+#include "Checks/Infinity.h"
 #include "Checks/Sanitized.h"
 #include "Grid.h"
 #include "Kinds/MeshKind.h"
@@ -46,8 +47,6 @@ Meshes::Block Small()
   block.Cubes = { 6, 5, 6 };
   return block;
 }
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 class MeshFrames : public ::testing::TestWithParam<Meshes::Cells>
 {

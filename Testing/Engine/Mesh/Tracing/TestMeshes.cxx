@@ -56,13 +56,13 @@ double VolumeOf(const MeshCell& cell)
   return volume;
 }
 
-using Face = std::vector<Corner>;
+using FaceCorners = std::vector<Corner>;
 
-std::vector<Face> FacesOf(const MeshCell& cell)
+std::vector<FaceCorners> CornersOfFaces(const MeshCell& cell)
 {
   const auto face = [&](std::initializer_list<std::size_t> corners)
   {
-    Face points;
+    FaceCorners points;
     for (const std::size_t i : corners)
     {
       points.push_back({ cell.Points[i].x, cell.Points[i].y, cell.Points[i].z });
@@ -91,7 +91,7 @@ TEST_P(MeshesOf, Conforming)
   const auto arrays = Meshes::MakeBlock(this->GetParam(), block);
   const MeshPart part = arrays.Part();
   double volume = 0.0;
-  std::map<Face, int> sides;
+  std::map<FaceCorners, int> sides;
   for (std::int64_t i = 0; i < part.NumberOfCells; ++i)
   {
     MeshCell cell;
@@ -100,7 +100,7 @@ TEST_P(MeshesOf, Conforming)
     const double own = VolumeOf(cell);
     EXPECT_GT(own, 0.0);
     volume += own;
-    for (const Face& face : FacesOf(cell))
+    for (const FaceCorners& face : CornersOfFaces(cell))
     {
       sides[face] += face.size() > 2 ? 1 : 0;
     }

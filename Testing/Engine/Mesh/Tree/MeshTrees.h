@@ -3,6 +3,7 @@
 #ifndef Testing_MeshTrees_h
 #define Testing_MeshTrees_h
 
+#include "Checks/Infinity.h"
 #include "Mesh/Tree/MeshTree.h"
 #include "Volumes/Meshes.h"
 #include "Volumes/ReadCell.h"
@@ -24,7 +25,6 @@ using MeshPointer = std::shared_ptr<const Mesh>;
 using TreePointer = std::shared_ptr<const MeshTree>;
 
 constexpr std::size_t NoLimit = std::numeric_limits<std::size_t>::max();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 inline TreePointer TreeOf(const MeshPointer& mesh)

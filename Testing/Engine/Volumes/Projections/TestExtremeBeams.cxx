@@ -156,8 +156,8 @@ inline void ExpectWhatIsSeen(
   }
 }
 
-using Types = ::testing::Types<std::uint8_t, std::int16_t, float, double, std::int64_t>;
-TYPED_TEST_SUITE(ExtremeBeamsOf, Types);
+using BeamTypes = ::testing::Types<std::uint8_t, std::int16_t, float, double, std::int64_t>;
+TYPED_TEST_SUITE(ExtremeBeamsOf, BeamTypes);
 
 TYPED_TEST(ExtremeBeamsOf, FindWhatWalksFind)
 {

@@ -4,6 +4,7 @@
 // The extreme of a ray is that of the interpolant in each of its cells, by any interpolation, on
 // images and rectilinear grids. Hidden cells and cells that are not finite hold none.
 
+#include "Checks/Infinity.h"
 #include "EachTarget.h"
 #include "Grid.h"
 #include "Kinds/FieldKind.h"
@@ -23,7 +24,6 @@ namespace
 
 using namespace TemporalCoherence;
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr glm::ivec2 Size(24, 16);
 
 /// A transfer function of two nodes.
@@ -160,9 +160,9 @@ protected:
   int Met = 0; ///< rays that meet something
 };
 
-using Types = ::testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
-  std::uint64_t, float, double>;
-TYPED_TEST_SUITE(ExtremesOf, Types);
+using ProjectedTypes = ::testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
+  std::int32_t, std::uint64_t, float, double>;
+TYPED_TEST_SUITE(ExtremesOf, ProjectedTypes);
 
 TYPED_TEST(ExtremesOf, Linear)
 {

@@ -93,11 +93,6 @@ Shot Folds(GallerySettings& settings, bool areOccluded)
   FeatureScene scene(settings, subject);
   scene.Show({ { subject.Isovalues[0], Style::Coral } });
   scene.Mapper->SetAmbientOcclusion(areOccluded);
-  constexpr int frames = 8; // 256 rays from each pixel: no grain is seen
-  for (int frame = 0; areOccluded && frame < frames; ++frame)
-  {
-    scene.Room.Photograph();
-  }
   return areOccluded ? scene.Take("occlusion", "Ambient occlusion",
                          "`AmbientOcclusionOn()`: folds are dark, as rays through the data tell")
                      : scene.Take("no-occlusion", "Without ambient occlusion",
@@ -131,21 +126,15 @@ Shot Shadows(GallerySettings& settings)
   lamp->PositionalOn();
   lamp->SetConeAngle(180.0);
   lamp->SetFocalPoint(middle[0], middle[1], middle[2]);
-  lamp->SetPosition(middle[0] + 1.2 * size, middle[1] - 0.3 * size, middle[2] + 1.3 * size);
+  lamp->SetPosition(middle[0] + 1.6 * size, middle[1] - 1.0 * size, middle[2] + 1.1 * size);
   scene.Room.Renderer->AddLight(lamp);
-  scene.Volume->GetProperty()->SetAmbient(0.35);
+  scene.Volume->GetProperty()->SetAmbient(0.3);
   scene.Mapper->ShadowsOn();
-  scene.Mapper->SetLightRadius(0.06 * size);
+  scene.Mapper->SetLightRadius(0.03 * size);
   scene.Mapper->AmbientOcclusionOn();
-  constexpr int frames = 16;
-  for (int frame = 0; frame < frames; ++frame)
-  {
-    scene.Room.Photograph();
-  }
   return scene.Take("shadows", "Shadows",
-    "`ShadowsOn()` and `SetLightRadius()`: a lamp casts soft shadows; `AmbientOcclusionOn()` where "
-    "it "
-    "does not shine");
+    "`ShadowsOn()` and `SetLightRadius()`: a lamp casts soft shadows; `AmbientOcclusionOn()` "
+    "where it does not shine");
 }
 
 /// The samples of an image, the farther apart the farther they are from the middle.

@@ -72,7 +72,7 @@ void FeatureScene::CropCorner()
 
 Shot FeatureScene::Take(const std::string& name, const std::string& title, const std::string& how)
 {
-  Shot shot = { name, title, how, this->Shown, this->Room.Photograph(), 0.0 };
+  Shot shot = { name, title, how, this->Shown, this->Room.PhotographFinal(), 0.0 };
   std::vector<double> times;
   for (int frame = 0; frame < this->Settings.Frames; ++frame)
   {

@@ -4,6 +4,8 @@
 
 #include "FigurePictures.h"
 
+#include "vtkTemporalCoherenceRefiner.h"
+
 #include <vtkActor.h>
 #include <vtkAlgorithm.h>
 #include <vtkOutlineSource.h>
@@ -58,6 +60,14 @@ vtkSmartPointer<vtkImageData> Studio::Photograph()
 {
   this->Window->Render();
   return FigurePictures::Shrunk(FigurePictures::Grabbed(this->Window), PixelsToOne);
+}
+
+vtkSmartPointer<vtkImageData> Studio::PhotographFinal()
+{
+  vtkNew<vtkTemporalCoherenceRefiner> refiner;
+  refiner->SetRenderWindow(this->Window);
+  refiner->Refine();
+  return this->Photograph();
 }
 
 std::string Studio::DrawnBy()

@@ -69,7 +69,7 @@ bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
 //------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::GetFrameIsFinal()
 {
-  return this->Internal->Frames.Statistics().IsFinal;
+  return this->Internal->Frames.Statistics().Progress >= 1.0;
 }
 
 //------------------------------------------------------------------------------

@@ -98,7 +98,7 @@ protected:
     EXPECT_TRUE(ShowTheSame(made, cold)) << what;
     EXPECT_TRUE(HaveTheSameLayers(made, cold)) << what;
     EXPECT_TRUE(IsSamePlane(made.Answers, cold.Answers)) << what;
-    EXPECT_TRUE(this->Statistics().IsFinal) << what;
+    EXPECT_EQ(this->Statistics().Progress, 1.0) << what;
     this->ExpectAllRaysCount(what);
   }
 
@@ -116,7 +116,7 @@ protected:
     this->Renderer = FrameRenderer();
     this->Renderer.Render(this->Key, Fewer(distance, tiles));
     ASSERT_EQ(NameOf(this->Statistics().Made), std::string("FewerRays")) << what;
-    EXPECT_FALSE(this->Statistics().IsFinal) << what;
+    EXPECT_LT(this->Statistics().Progress, 1.0) << what;
     this->ExpectAllRaysCount(what);
     EXPECT_LT(this->Statistics().TracedRays, this->Statistics().Rays / 2) << what;
     this->Renderer.Render(this->Key, {});
@@ -163,7 +163,7 @@ TEST_P(FewerRaysTest, GetBetterWithEachFrame)
     EXPECT_LE(error, before) << "frame " << frames;
     before = error;
     ASSERT_LT(++frames, 100);
-  } while (!this->Statistics().IsFinal);
+  } while (this->Statistics().Progress < 1.0);
   EXPECT_GT(frames, 3);
   this->ExpectColdBytes("after all frames");
 }

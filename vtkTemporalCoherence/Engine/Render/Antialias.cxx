@@ -32,7 +32,7 @@ EdgeSign SignFor(const FrameKey& key)
   const Appearance& appearance = key.Appearance;
   const bool isGrainy = appearance.Occlusion.IsOn() ||
     std::any_of(appearance.Lights.begin(), appearance.Lights.end(),
-      [](const Light& light) { return light.CastsShadows && light.Size > 0.0; });
+      [](const Light& light) { return light.CastsSoftShadows(); });
   return isGrainy && appearance.HasMutualLight() && !key.IsBlended() ? EdgeSign::Normals
                                                                      : EdgeSign::Colors;
 }

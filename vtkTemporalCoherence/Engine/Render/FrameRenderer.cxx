@@ -44,14 +44,6 @@ std::uint32_t RaysOfFrame(const LightOptions& options, bool isStill)
   return isStill ? whenStill : options.RaysOfFrame;
 }
 
-/// True if nothing has changed since the last frame.
-bool IsRepeatOf(const CachedImage& last, const FrameKey& key)
-{
-  const FrameChange change = CompareFrames(last.Key, key);
-  return !last.Picture.IsEmpty() && !change.Data && !change.View && !change.Surfaces &&
-    !change.Opacity && !change.Appearance && !change.Blending;
-}
-
 }
 
 bool FrameRenderer::Render(
@@ -69,8 +61,10 @@ bool FrameRenderer::Render(
       this->Map.Trim(options.Map.MemoryLimit);
       key = this->Prepare(asked);
     }
+    const CachedImage& last = this->Store.Last();
+    const bool isRepeat = !last.Picture.IsEmpty() && GiveSamePicture(last.Key, key);
     FrameTask task{ key, options, this->Store, this->Structures, statistics, nullptr, report,
-      IsRepeatOf(this->Store.Last(), key) };
+      isRepeat };
 
     // The changes and the available data determine the route.
     const std::shared_ptr<CachedImage> nearest = this->Store.FindNearest(key, options);
@@ -199,7 +193,6 @@ void FrameRenderer::KeepLight(
     const auto traced = std::count(last.Doubts.begin(), last.Doubts.end(), 0.0f);
     statistics.Progress *= static_cast<double>(traced) / static_cast<double>(last.Doubts.size());
   }
-  statistics.IsFinal = statistics.Progress >= 1.0;
 }
 
 /// Take a route. If the route proves impossible, take the next best and update `route`.

@@ -21,7 +21,6 @@ struct FrameStatistics
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
   std::int64_t FieldSamples = 0;  ///< samples read to find surfaces and to build an isomap
-  bool IsFinal = true;            ///< false: the picture gets better if the frame is made again
   double Progress = 1.0;          ///< towards the final picture, from 0 to 1
   std::int64_t Layers = 0;        ///< surfaces that were composited, if some are translucent
   std::int64_t MergedLayers = 0;  ///< of these, layers that were merged into one in front

@@ -92,14 +92,6 @@ Route PlanWhole(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   return switches.Isomap && held.CanBuildIsomap ? Route::IsomapBuild : Route::Cold;
 }
 
-/// True if two keys give the same picture.
-bool GiveSamePicture(const FrameKey& last, const FrameKey& next)
-{
-  const FrameChange change = CompareFrames(last, next);
-  return last.IsBlended() == next.IsBlended() && !change.Data && !change.View && !change.Surfaces &&
-    !change.Opacity && !change.Appearance && !change.Blending;
-}
-
 /// True if a route takes about as long as tracing every ray. Of translucent surfaces, an isomap
 /// tells only the first on each ray.
 bool TracesAll(Route route, const FrameKey& next)
@@ -108,6 +100,13 @@ bool TracesAll(Route route, const FrameKey& next)
   return route == Route::Cold || (looksUp && next.Isosurfaces().IsTranslucent());
 }
 
+}
+
+bool GiveSamePicture(const FrameKey& last, const FrameKey& next)
+{
+  const FrameChange change = CompareFrames(last, next);
+  return last.IsBlended() == next.IsBlended() && !change.Data && !change.View && !change.Surfaces &&
+    !change.Opacity && !change.Appearance && !change.Blending;
 }
 
 const char* NameOf(Route route)

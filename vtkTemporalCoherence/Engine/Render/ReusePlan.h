@@ -54,6 +54,9 @@ struct HeldForReuse
   bool Values = false;        ///< the last frame keeps the values that a projection's rays met
 };
 
+/// True if two keys give the same picture.
+bool GiveSamePicture(const FrameKey& last, const FrameKey& next);
+
 /// Choose the best route from the last frame to the next one. A pure function, so that every
 /// decision can be tested without rendering.
 Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,

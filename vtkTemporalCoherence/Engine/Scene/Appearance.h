@@ -26,6 +26,9 @@ struct Light
   /// The radius of a positional light that casts shadows. Of another light, the tangent of its
   /// angular radius. 0: shadows are hard.
   double Size = 0.0;
+
+  bool CastsSoftShadows() const { return this->CastsShadows && this->Size > 0.0; }
+  bool CastsHardShadows() const { return this->CastsShadows && this->Size == 0.0; }
 };
 
 /// Ambient occlusion: surfaces nearby keep light away from a point. Ambient and diffuse light are

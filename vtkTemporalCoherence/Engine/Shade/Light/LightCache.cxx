@@ -16,18 +16,12 @@ namespace
 /// Bytes of a block: its place, its patches, and two slots.
 constexpr std::size_t BytesOfBlock = 36 + 256 + 2 * sizeof(std::uint32_t);
 
-/// True if the cache keeps the shadows of a light: hard ones are found anew in each frame.
-bool HasKeptShadows(const Light& light)
-{
-  return light.CastsShadows && light.Size > 0.0;
-}
-
-/// True if two lights cast the same kept shadows.
+/// True if two lights cast the same soft shadows. Hard ones are found anew in each frame.
 bool CastAlike(const Light& a, const Light& b)
 {
-  const bool areKept = HasKeptShadows(a);
-  return areKept == HasKeptShadows(b) &&
-    (!areKept ||
+  const bool areSoft = a.CastsSoftShadows();
+  return areSoft == b.CastsSoftShadows() &&
+    (!areSoft ||
       (a.Size == b.Size && a.Positional == b.Positional &&
         (a.Positional ? a.Position == b.Position : a.Direction == b.Direction)));
 }

@@ -67,7 +67,7 @@ SurfaceLight::SurfaceLight(const FrameKey& key, const FieldNormals& normals,
   for (std::size_t i = 0; i < key.Appearance.Lights.size(); ++i)
   {
     const Light& light = key.Appearance.Lights[i];
-    if (light.CastsShadows && light.Size > 0.0)
+    if (light.CastsSoftShadows())
     {
       this->Sources.push_back({ static_cast<std::uint16_t>(i + 1), &light });
     }
@@ -194,7 +194,7 @@ std::int64_t SurfaceLight::Find(
   std::int64_t cells = 0;
   for (std::size_t i = 0; i < arriving.OfLights.size(); ++i)
   {
-    if (lights[i].CastsShadows && lights[i].Size == 0.0)
+    if (lights[i].CastsHardShadows())
     {
       cells +=
         FindHardShadows(this->Tracer, this->Key.Appearance, lights[i], hits, arriving.OfLights[i]);

@@ -51,6 +51,7 @@ set(engine_files
   Shade/KnownLayers
   Shade/LayerShader
   Shade/Light/HardShadows
+  Shade/Light/KeptShadows
   Shade/Light/LightCache
   Shade/Light/LightDirections
   Shade/Light/LightTracer

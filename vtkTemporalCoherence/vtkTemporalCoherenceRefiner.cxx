@@ -155,8 +155,8 @@ bool vtkTemporalCoherenceRefiner::IsInteractive()
 /// Ask for a timer if the pictures are not final and an event loop runs.
 void vtkTemporalCoherenceRefiner::StartTimer()
 {
-  if (!this->Enabled || !this->Window || this->Timer != 0 || this->Progress >= 1.0 ||
-    this->Vain >= MostVainFrames || this->IsInteractive())
+  if (!this->Enabled || !this->Window || this->Progress >= 1.0 || this->Vain >= MostVainFrames ||
+    this->IsInteractive())
   {
     return;
   }
@@ -173,7 +173,10 @@ void vtkTemporalCoherenceRefiner::StartTimer()
     this->TimerTag =
       interactor->AddObserver(vtkCommand::TimerEvent, this, &vtkTemporalCoherenceRefiner::OnTimer);
   }
-  this->Timer = interactor->CreateOneShotTimer(Soon);
+  if (this->Timer == 0)
+  {
+    this->Timer = interactor->CreateOneShotTimer(Soon);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -198,6 +198,11 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::MakeImages(vtkRenderer* render
   this->TellStart();
   bool isMade = this->RenderFrame(
     renderer, volume, width, height, static_cast<double>(width) / height, nullptr);
+  if (isMade && this->Self->GetAbortExecute() && !this->Self->GetProgressiveImages())
+  {
+    // New colours are shown before all of their light is found or edges are smooth.
+    isMade = this->Frames.Statistics().Progress >= 1.0;
+  }
   if (isMade)
   {
     this->Frames.SetPictureSize({ width, height });

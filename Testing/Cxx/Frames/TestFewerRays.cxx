@@ -176,6 +176,13 @@ void TestKind(const Kind& kind)
   Expect(stage.Render(Width, Height) && IsRoute(stage, "Redisplay") && witness.Draw(stage) &&
       witness.IsIdentical(stage),
     kind.Name + ": the cold picture");
+
+  // An image is final in one call, edges included.
+  stage.LookFrom(2.0, 1.0, 0.7);
+  stage.Draw(Interactive);
+  stage.Mapper->SetAntialiasingToWhenStill();
+  Expect(stage.Render(Width, Height) && stage.Mapper->GetFrameIsFinal(), kind.Name + ": an image");
+
   const double error = ErrorOf(shown, witness.Color);
   Expect(error > 0.0 && error < 6.0, kind.Name + ": error " + std::to_string(error));
 }

@@ -7,8 +7,11 @@
 
 #include "LitScene.h"
 
+#include "Checks/Stopper.h"
+
 #include "Scenes/Mistake.h"
 #include "Truth/BruteForceTracer.h"
+#include "Truth/ColdWitness.h"
 #include "Volumes/Grids.h"
 #include "Volumes/Volumes.h"
 
@@ -425,6 +428,46 @@ void TestLights()
   Expect(!AreIdentical(one, two), "their shadows differ");
 }
 
+/// New colours take the shadows of the frame before. They are those of a mapper without past,
+/// whatever has changed between.
+void TestKeptShadows()
+{
+  const auto image = Image(VTK_FLOAT);
+  SunnyScene scene(image, { 100.0 });
+  scene.LookFrom(2.0, -3.0, 2.5);
+  scene.Mapper->ShadowsOn();
+  const auto expect = [&](const char* route, const std::string& what)
+  {
+    Expect(scene.Render(Width, Height) && IsRoute(scene, route), what + ": " + route);
+    ColdWitness witness;
+    Expect(witness.Draw(scene) && witness.IsIdentical(scene), what + ": as without past");
+  };
+  expect("Cold", "a first frame");
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  property->SetAmbient(0.1);
+  expect("Reshade", "a new colour");
+  scene.SetSun(-0.5, 0.2, 1.0);
+  expect("Reshade", "a moved light");
+  property->SetAmbient(0.2);
+  expect("Reshade", "and a new colour");
+  scene.Mapper->ShadowsOff();
+  scene.LookFrom(2.5, -2.0, 2.5);
+  expect("Cold", "another view without shadows");
+  scene.Mapper->ShadowsOn();
+  expect("Reshade", "shadows again");
+  scene.Renderer->TwoSidedLightingOff();
+  expect("Reshade", "sides that were dark are lit");
+  scene.Renderer->TwoSidedLightingOn();
+  property->SetAmbient(0.3);
+  {
+    const Stopper stopper(scene.Mapper, 0);
+    scene.SetSun(0.5, 0.5, 1.0);
+    Expect(!scene.Render(Width, Height), "stopped");
+  }
+  scene.SetSun(-0.5, 0.2, 1.0);
+  expect("Reshade", "after a stop under another light");
+}
+
 void TestSettings()
 {
   Scene scene(Image(VTK_FLOAT), { 100.0 });
@@ -448,6 +491,7 @@ int TestShadows(int, char*[])
   TestSoftShadows();
   TestTranslucent();
   TestLights();
+  TestKeptShadows();
   TestSettings();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -272,6 +272,21 @@ void TestOtherWindow()
     "the other one is refined");
 }
 
+/// A window may get another interactor while a timer waits.
+void TestOtherInteractor()
+{
+  Stage stage;
+  LitSpheres scene(stage.Window);
+  stage.Refiner->SetRenderWindow(stage.Window);
+  stage.Window->Render();
+  Expect(stage.Interactor->Pending() == 1, "a timer of the window's interactor");
+  vtkNew<HandInteractor> next;
+  next->SetRenderWindow(stage.Window);
+  next->Initialize();
+  stage.Window->Render();
+  Expect(stage.Interactor->Pending() == 0 && next->Pending() == 1, "then of the next one");
+}
+
 /// Where frames bring nothing, as for want of memory, refinement ends.
 void TestVain()
 {
@@ -362,6 +377,7 @@ int TestRefiner(int, char*[])
   TestStopped();
   TestOnDemand();
   TestOtherWindow();
+  TestOtherInteractor();
   TestVain();
   TestDeaths();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -8,6 +8,7 @@
 #include "Scene/Timers.h"
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 
 namespace TemporalCoherence
@@ -17,6 +18,9 @@ namespace
 
 /// The share of a frame's progress that building a range of isovalues takes.
 constexpr double ShareOfBuilding = 0.9;
+
+/// The share of a frame's progress that its tiles take if edges are antialiased, too.
+constexpr double ShareOfTiles = 0.5;
 
 /// The share of a picture's progress that its edges have.
 constexpr double ShareOfEdges = 0.1;
@@ -35,6 +39,13 @@ bool HasLight(const FrameKey& key)
 bool WantsSmoothEdges(const FrameKey& key, const FrameOptions& options)
 {
   return options.Antialias != Antialiasing::Off && !key.Appearance.ColorByAnswer;
+}
+
+/// True if the edges of a frame are antialiased, unless its route leaves pixels between rays.
+bool SmoothsEdges(const FrameTask& task)
+{
+  return WantsSmoothEdges(task.Key, task.Options) &&
+    (task.IsRepeated || task.Options.Antialias == Antialiasing::Always);
 }
 
 /// Rays that each hit sends in a frame to find light.
@@ -77,11 +88,15 @@ bool FrameRenderer::Render(
     // One function makes the frame. If it is stopped or runs out of memory, the last frame is
     // unchanged.
     std::unique_ptr<SurfaceLight> ofEdges;
-    if (!this->Make(route, task, nearest.get()) || !this->SmoothEdges(route, task, ofEdges))
+    const double ofTiles = SmoothsEdges(task) ? ShareOfTiles : 1.0;
+    task.Report = PartOf(report, 0.0, ofTiles);
+    if (!this->Make(route, task, nearest.get()) ||
+      !this->SmoothEdges(route, task, PartOf(report, ofTiles, 1.0), ofEdges))
     {
       return false;
     }
     this->Finish(route, task);
+    this->Shadows.End();
     this->KeepLight(light.get(), ofEdges.get(), task);
   }
   this->TimeToBuild = statistics.IsomapBuildTime;
@@ -95,25 +110,47 @@ std::unique_ptr<SurfaceLight> FrameRenderer::BeginLight(const FrameTask& task, R
   const FrameKey& key = task.Key;
   if (!key.Appearance.HasMutualLight())
   {
-    this->Light->Clear();
+    this->Light.Clear();
+    this->Shadows = {};
     return nullptr;
   }
-  if (!HasLight(key) || route == Route::Redisplay || route == Route::Antialias)
+  if (route == Route::Redisplay || route == Route::Antialias)
   {
     return nullptr;
   }
+  if (!HasLight(key))
+  {
+    this->Shadows = {};
+    return nullptr;
+  }
+  const std::vector<TemporalCoherence::Light>& lights = key.Appearance.Lights;
+  const bool keepsShadows = !key.Isosurfaces().IsTranslucent() &&
+    std::any_of(lights.begin(), lights.end(),
+      [](const TemporalCoherence::Light& light) { return light.CastsHardShadows(); });
+  if (keepsShadows)
+  {
+    this->Shadows.Begin(key, route == Route::Reshade);
+  }
+  else
+  {
+    this->Shadows = {};
+  }
   const LightOptions& options = task.Options.Light;
-  const bool isStill = options.AtOnce || (route == Route::Reshade && task.IsRepeated);
-  return this->MakeLight(task, RaysOfFrame(options, isStill), options.Rays, isStill);
+  const bool isRepeated = options.AtOnce || (route == Route::Reshade && task.IsRepeated);
+  // Where the light of all hits is final it stays so.
+  const bool isStill = isRepeated || (route == Route::Reshade && this->IsLightFinal);
+  return this->MakeLight(task, RaysOfFrame(options, isRepeated), options.Rays, isStill,
+    keepsShadows ? &this->Shadows : nullptr);
 }
 
 /// Prepare rays that find light.
 /// \param raysOfFrame from each hit, and in all frames together
-std::unique_ptr<SurfaceLight> FrameRenderer::MakeLight(
-  const FrameTask& task, std::uint32_t raysOfFrame, std::uint32_t rays, bool isStill) const
+/// \param shadows     see SurfaceLight
+std::unique_ptr<SurfaceLight> FrameRenderer::MakeLight(const FrameTask& task,
+  std::uint32_t raysOfFrame, std::uint32_t rays, bool isStill, KeptShadows* shadows)
 {
   const FrameKey& key = task.Key;
-  this->Light->Follow(key);
+  this->Light.Follow(key);
   if (task.Options.SpaceLeaping)
   {
     task.Structures.PrepareActiveCells(key);
@@ -122,19 +159,23 @@ std::unique_ptr<SurfaceLight> FrameRenderer::MakeLight(
   return std::make_unique<SurfaceLight>(key, KindOf(key.Samples), finite,
     MakeSurfaceTracer({ key.Samples, key.Isosurfaces(), finite,
       task.Structures.SpaceToLeap(task.Options.SpaceLeaping).Active, false, Traversal::Walks }),
-    *this->Light, raysOfFrame, rays, !isStill);
+    this->Light, shadows, raysOfFrame, rays, !isStill);
 }
 
 /// Antialias the made picture if that is asked for.
+/// \param report is called with the progress of this part
 /// \param light receives the light of the surfaces that more rays meet; null if none is needed
 /// \return false if the report stopped it, and the frame must not become the last one
-bool FrameRenderer::SmoothEdges(Route route, FrameTask& task, std::unique_ptr<SurfaceLight>& light)
+bool FrameRenderer::SmoothEdges(
+  Route route, FrameTask& task, const ReportProgress& report, std::unique_ptr<SurfaceLight>& light)
 {
   const FrameKey& key = task.Key;
   const bool isOfLast = route == Route::Reshade || route == Route::Antialias;
-  const bool isNow = WantsSmoothEdges(key, task.Options) &&
-    (task.IsRepeated || task.Options.Antialias == Antialiasing::Always);
-  const bool isBetweenRays = route == Route::FewerRays || route == Route::Refine;
+  const bool isAlways = task.Options.Antialias == Antialiasing::Always;
+  const bool isNow = SmoothsEdges(task);
+  // A window's frame that refines may be stopped. Its edges then wait for the next frame.
+  const bool isBetweenRays = (route == Route::FewerRays || route == Route::Refine) &&
+    (!isAlways || !task.Store.Next().Doubts.empty());
   if (route == Route::Redisplay || isBetweenRays || !isNow)
   {
     if (route == Route::Antialias)
@@ -152,10 +193,13 @@ bool FrameRenderer::SmoothEdges(Route route, FrameTask& task, std::unique_ptr<Su
       const auto shareOf = [](std::uint32_t rays) { return std::max(rays / RaysAtEdges, 1u); };
       const bool isStill = options.AtOnce || task.IsRepeated;
       light = this->MakeLight(
-        task, shareOf(RaysOfFrame(options, isStill)), shareOf(options.Rays), isStill);
+        task, shareOf(RaysOfFrame(options, isStill)), shareOf(options.Rays), isStill, nullptr);
     }
     CachedImage& made = isOfLast ? task.Store.LastToRecolor() : task.Store.Next();
+    task.Report = report;
+    const double before = task.Statistics.TilesTime; // by which rays are chosen
     const bool isDone = Antialias(task, light.get(), made.Picture);
+    task.Statistics.TilesTime = before;
     // Reshade has changed the last frame: it is valid without more rays.
     return isDone || route == Route::Reshade;
   }
@@ -170,17 +214,29 @@ bool FrameRenderer::SmoothEdges(Route route, FrameTask& task, std::unique_ptr<Su
 }
 
 /// Keep the light that a finished frame has found, and tell whether the frame is final.
-void FrameRenderer::KeepLight(
-  const SurfaceLight* ofPixels, const SurfaceLight* ofEdges, FrameTask& task)
+void FrameRenderer::KeepLight(SurfaceLight* ofPixels, SurfaceLight* ofEdges, FrameTask& task)
 {
   FrameStatistics& statistics = task.Statistics;
-  for (const SurfaceLight* light : { ofPixels, ofEdges })
+  LightCache::FoundInTiles found;
+  try
   {
-    if (light)
+    for (SurfaceLight* light : { ofPixels, ofEdges })
     {
-      statistics.Progress = std::min(statistics.Progress, light->Progress());
-      this->Light->Add(light->Found(), task.Options.Light.MemoryLimit);
+      if (light)
+      {
+        statistics.Progress = std::min(statistics.Progress, light->Progress());
+        LightCache::FoundInTiles part = light->TakeFound();
+        std::move(part.begin(), part.end(), std::back_inserter(found));
+      }
     }
+  }
+  catch (const std::bad_alloc&)
+  {
+    found.clear(); // the next frame may have memory
+  }
+  if (!found.empty())
+  {
+    this->Light.Add(found, task.Options.Light.MemoryLimit);
   }
   this->IsLightFinal = statistics.Progress >= 1.0;
   const CachedImage& last = task.Store.Last();
@@ -414,7 +470,7 @@ const FieldRanges& FrameRenderer::RangesOf(const FrameKey& key)
 
 void FrameRenderer::Release()
 {
-  *this = FrameRenderer({ this->Structures.Sharing(), this->Light });
+  *this = FrameRenderer({ this->Structures.Sharing() });
 }
 
 }

@@ -21,11 +21,10 @@ namespace TemporalCoherence
 
 struct FrameTask;
 
-/// Structures and light that no view changes: the renderers of all viewers share them.
+/// Structures that no view changes: the renderers of all viewers share them.
 struct SharedByViewers
 {
   std::shared_ptr<FieldStructures> Structures = std::make_shared<FieldStructures>();
-  std::shared_ptr<LightCache> Light = std::make_shared<LightCache>();
 };
 
 /// Makes frames: asks the plan for a route, takes it, and keeps data that the next frame can use.
@@ -36,7 +35,6 @@ public:
 
   explicit FrameRenderer(const SharedByViewers& shared = {})
     : Structures(shared.Structures)
-    , Light(shared.Light)
   {
   }
 
@@ -87,23 +85,25 @@ private:
   void PrepareRanges(const FrameKey& key);
   Route ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const;
   std::unique_ptr<SurfaceLight> BeginLight(const FrameTask& task, Route route);
-  std::unique_ptr<SurfaceLight> MakeLight(
-    const FrameTask& task, std::uint32_t raysOfFrame, std::uint32_t rays, bool isStill) const;
-  bool SmoothEdges(Route route, FrameTask& task, std::unique_ptr<SurfaceLight>& light);
+  std::unique_ptr<SurfaceLight> MakeLight(const FrameTask& task, std::uint32_t raysOfFrame,
+    std::uint32_t rays, bool isStill, KeptShadows* shadows);
+  bool SmoothEdges(Route route, FrameTask& task, const ReportProgress& report,
+    std::unique_ptr<SurfaceLight>& light);
   bool Make(Route& route, FrameTask& task, CachedImage* nearest);
   bool BuildAndLookUp(Route& route, FrameTask& task);
   bool LookUpIsomap(Route& route, FrameTask& task);
   Isomap::Outcome PrepareIsomap(FrameTask& task);
   void Finish(Route route, const FrameTask& task);
-  void KeepLight(const SurfaceLight* ofPixels, const SurfaceLight* ofEdges, FrameTask& task);
+  void KeepLight(SurfaceLight* ofPixels, SurfaceLight* ofEdges, FrameTask& task);
 
   FrameStore Store;
   FrameStore Grid; ///< memory for the rays of a frame from fewer rays
   FrameStructures Structures;
-  SampleComparer Changes;            ///< from the samples of the last frame to those of the next
-  IsomapBuilder Map;                 ///< of the view in which isovalues last changed
-  std::shared_ptr<LightCache> Light; ///< of the surfaces that frames showed
-  KnotForm LastForm;                 ///< as requested for the last frame
+  SampleComparer Changes; ///< from the samples of the last frame to those of the next
+  IsomapBuilder Map;      ///< of the view in which isovalues last changed
+  LightCache Light;       ///< of the surfaces that frames showed
+  KeptShadows Shadows;    ///< of the last frame
+  KnotForm LastForm;      ///< as requested for the last frame
   std::vector<std::uint64_t> UnresolvedRays; ///< memory of LookUp
   FrameStatistics OfLastFrame;
   bool IsLightFinal = true; ///< of the last frame

@@ -40,7 +40,7 @@ struct AmbientOcclusion
   double Radius = 0.0;   ///< in the world; 0: no occlusion
   double Strength = 1.0; ///< 0 to 1
 
-  bool IsOn() const { return this->Radius > 0.0; }
+  bool IsOn() const { return this->Radius > 0.0 && this->Strength > 0.0; }
 };
 
 inline bool operator==(const AmbientOcclusion& a, const AmbientOcclusion& b)
@@ -76,6 +76,13 @@ struct Appearance
           [](const Light& light) { return light.CastsShadows; }));
   }
 };
+
+/// True if two lights shine on any point from the same direction.
+inline bool ShineAlike(const Light& a, const Light& b)
+{
+  return a.Positional == b.Positional &&
+    (a.Positional ? a.Position == b.Position : a.Direction == b.Direction);
+}
 
 inline bool operator==(const Light& a, const Light& b)
 {

@@ -68,7 +68,7 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found
     LoadNormals(frame, hits);
   }
   ArrivingLight arriving;
-  if (this->Light)
+  if (this->Light && hits.Rays.Count > 0)
   {
     counts.CellsRead += this->Light->Find(tile, hits, true, arriving);
   }

@@ -9,14 +9,28 @@ namespace TemporalCoherence
 {
 
 std::int64_t FindHardShadows(const LightTracer& tracer, const Appearance& appearance,
-  const Light& light, const HitList& hits, RayBatch::Array<float>& arriving)
+  std::size_t number, const HitList& hits, KeptShadows* kept, RayBatch::Array<float>& arriving)
 {
-  LightRayBatches batches(tracer, [&](std::size_t hit, float passed) { arriving[hit] = passed; });
+  const Light& light = appearance.Lights[number];
+  LightRayBatches batches(tracer,
+    [&](std::size_t hit, float passed)
+    {
+      arriving[hit] = passed;
+      if (kept)
+      {
+        kept->Keep(hits.Pixel[hit], number, passed > 0.0f);
+      }
+    });
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
     arriving[i] = 1.0f;
     if ((hits.Misses >> i & 1u) != 0)
     {
+      continue;
+    }
+    if (kept && kept->Knows(hits.Pixel[i], number))
+    {
+      arriving[i] = kept->IsLit(hits.Pixel[i], number) ? 1.0f : 0.0f;
       continue;
     }
     const glm::dvec3 point = hits.Rays.PointAt(i);

@@ -20,10 +20,7 @@ constexpr std::size_t BytesOfBlock = 36 + 256 + 2 * sizeof(std::uint32_t);
 bool CastAlike(const Light& a, const Light& b)
 {
   const bool areSoft = a.CastsSoftShadows();
-  return areSoft == b.CastsSoftShadows() &&
-    (!areSoft ||
-      (a.Size == b.Size && a.Positional == b.Positional &&
-        (a.Positional ? a.Position == b.Position : a.Direction == b.Direction)));
+  return areSoft == b.CastsSoftShadows() && (!areSoft || (a.Size == b.Size && ShineAlike(a, b)));
 }
 
 }
@@ -207,7 +204,7 @@ void LightCache::Add(const Found& found)
 }
 
 /// Make room for the blocks that new patches need.
-void LightCache::ReserveFor(const std::vector<std::vector<Found>>& tiles)
+void LightCache::ReserveFor(const FoundInTiles& tiles)
 {
   std::size_t patches = 0;
   for (const std::vector<Found>& tile : tiles)
@@ -234,7 +231,7 @@ void LightCache::ReserveFor(const std::vector<std::vector<Found>>& tiles)
   }
 }
 
-void LightCache::Add(const std::vector<std::vector<Found>>& tiles, std::size_t mostBytes)
+void LightCache::Add(const FoundInTiles& tiles, std::size_t mostBytes)
 {
   ++this->Frames;
   try

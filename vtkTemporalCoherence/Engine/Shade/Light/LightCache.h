@@ -88,10 +88,12 @@ public:
     std::uint32_t Rays, Light;
   };
 
-  /// Add what the tiles of a frame found, in their order.
+  using FoundInTiles = std::vector<std::vector<Found>>;
+
+  /// Add what the tiles of a frame found, in their order. A frame is added once.
   /// \param mostBytes of memory. Beyond it, the patches that were not seen for the longest time are
   ///                  dropped, but no patch of this frame. If memory runs out, all are dropped.
-  void Add(const std::vector<std::vector<Found>>& tiles, std::size_t mostBytes);
+  void Add(const FoundInTiles& tiles, std::size_t mostBytes);
 
   /// Number of frames that were added since the cache was empty.
   std::uint32_t NumberOfFrames() const { return this->Frames; }
@@ -114,7 +116,7 @@ private:
   void Add(const Found& found);
   void Insert(std::uint32_t block);
   void Resize(std::size_t slots);
-  void ReserveFor(const std::vector<std::vector<Found>>& tiles);
+  void ReserveFor(const FoundInTiles& tiles);
   void Drop(std::size_t mostBytes);
   template <typename IsKept>
   void KeepOnly(const IsKept& isKept);

@@ -57,7 +57,7 @@ std::uint64_t SeedOf(const PatchPlace& place)
   };
   add(place.Block.y);
   add(place.Block.z);
-  add(place.Patch + 64 * place.Side + 65536 * place.Source);
+  add(place.Patch + 64 * place.Side + 65536 * std::int64_t(place.Source));
   add(place.Level + 4096 * place.Surface);
   x *= 0xbf58476d1ce4e5b9ull;
   return x ^ x >> 32;

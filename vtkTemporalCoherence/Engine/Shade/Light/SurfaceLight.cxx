@@ -26,9 +26,11 @@ constexpr std::uint32_t FewestRays = 256;
 
 SurfaceLight::SurfaceLight(const FrameKey& key, const FieldNormals& normals,
   const glm::dvec2& finiteRange, std::shared_ptr<const SurfaceTracer> tracer,
-  const LightCache& kept, std::uint32_t raysOfFrame, std::uint32_t raysInAll, bool sharesPixels)
+  const LightCache& kept, KeptShadows* shadows, std::uint32_t raysOfFrame, std::uint32_t raysInAll,
+  bool sharesPixels)
   : Key(key)
   , Kept(kept)
+  , Shadows(shadows)
   , RaysOfFrame(raysOfFrame)
   , RaysInAll(raysInAll)
   , SharesPixels(sharesPixels)
@@ -64,7 +66,8 @@ SurfaceLight::SurfaceLight(const FrameKey& key, const FieldNormals& normals,
   {
     this->Sources.push_back({ 0, nullptr });
   }
-  for (std::size_t i = 0; i < key.Appearance.Lights.size(); ++i)
+  constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
+  for (std::size_t i = 0; i < std::min(key.Appearance.Lights.size(), most); ++i)
   {
     const Light& light = key.Appearance.Lights[i];
     if (light.CastsSoftShadows())
@@ -196,8 +199,8 @@ std::int64_t SurfaceLight::Find(
   {
     if (lights[i].CastsHardShadows())
     {
-      cells +=
-        FindHardShadows(this->Tracer, this->Key.Appearance, lights[i], hits, arriving.OfLights[i]);
+      cells += FindHardShadows(this->Tracer, this->Key.Appearance, i, hits,
+        isTile ? this->Shadows : nullptr, arriving.OfLights[i]);
     }
   }
   const double strength = this->Key.Appearance.Occlusion.Strength;

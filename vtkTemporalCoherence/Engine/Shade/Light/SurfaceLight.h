@@ -4,6 +4,7 @@
 #define TemporalCoherence_SurfaceLight_h
 
 #include "Shade/Light/ArrivingLight.h"
+#include "Shade/Light/KeptShadows.h"
 #include "Shade/Light/LightCache.h"
 #include "Shade/Light/LightTracer.h"
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -32,10 +34,11 @@ class SurfaceLight
 {
 public:
   /// The arguments must outlive it.
+  /// \param shadows of the first hits of tiles are kept there; null: none are kept
   /// \throws std::bad_alloc
   SurfaceLight(const FrameKey& key, const FieldNormals& normals, const glm::dvec2& finiteRange,
-    std::shared_ptr<const SurfaceTracer> tracer, const LightCache& kept, std::uint32_t raysOfFrame,
-    std::uint32_t raysInAll, bool sharesPixels);
+    std::shared_ptr<const SurfaceTracer> tracer, const LightCache& kept, KeptShadows* shadows,
+    std::uint32_t raysOfFrame, std::uint32_t raysInAll, bool sharesPixels);
 
   /// Find the light that reaches hits.
   /// \param hits     with their normals
@@ -50,7 +53,8 @@ public:
     return wanted > 0.0 ? static_cast<double>(this->Known.load()) / wanted : 1.0;
   }
 
-  const std::vector<std::vector<LightCache::Found>>& Found() const { return this->OfTiles; }
+  /// What the rays found, once all tiles are made.
+  LightCache::FoundInTiles TakeFound() { return std::move(this->OfTiles); }
 
 private:
   struct Senders;
@@ -86,6 +90,7 @@ private:
 
   const FrameKey& Key;
   const LightCache& Kept;
+  KeptShadows* Shadows;
   std::uint32_t RaysOfFrame, RaysInAll;
   bool SharesPixels; ///< one of four pixels sends rays; patches are two pixels wide
   NormalSource Normals;
@@ -94,7 +99,7 @@ private:
   double WidthPerDepth, Width; ///< of patches: for each unit of t, and at t = 0
   glm::mat3 NormalFromWorld;   ///< to the axes of the data
   glm::dvec3 Edges;            ///< of a cell of index space, in the world
-  std::vector<std::vector<LightCache::Found>> OfTiles;
+  LightCache::FoundInTiles OfTiles;
   std::atomic<std::int64_t> Wanted{ 0 }, Known{ 0 }; ///< rays of all hits
 };
 

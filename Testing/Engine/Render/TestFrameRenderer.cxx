@@ -93,6 +93,24 @@ TEST_F(FrameRendererTest, OneSidedLightingTurnsWhatIsSeenFromInside)
   EXPECT_GT(darkened, 1000);
 }
 
+// The light of a still picture is kept, however much it is: of pixels, and of more rays at edges.
+TEST_F(FrameRendererTest, LightBecomesFinalBeyondItsMemory)
+{
+  this->Key.Appearance.Occlusion.Radius = 5.0;
+  FrameRenderer::Options options;
+  options.Antialias = Antialiasing::WhenStill;
+  options.Light.Rays = 256;
+  options.Light.MemoryLimit = 1;
+  FrameRenderer renderer;
+  int frames = 0;
+  do
+  {
+    renderer.Render(this->Key, options);
+    ++frames;
+  } while (renderer.Statistics().Progress < 1.0 && frames < 40);
+  EXPECT_EQ(renderer.Statistics().Progress, 1.0);
+}
+
 TEST_F(FrameRendererTest, SpaceLeapingDoesNotChangeThePicture)
 {
   FrameRenderer::Options plain;

@@ -93,6 +93,33 @@ TEST_F(FrameRendererTest, OneSidedLightingTurnsWhatIsSeenFromInside)
   EXPECT_GT(darkened, 1000);
 }
 
+// A stopped frame of another view leaves no shadows to the colours of the last one.
+TEST_F(FrameRendererTest, StoppedFramesLeaveNoShadows)
+{
+  this->Key.EditIsosurfaces().Isovalues.resize(1);
+  this->Key.Appearance.Lights[0].Direction = glm::normalize(glm::dvec3(-1.0, 0.2, -0.4));
+  this->Key.Appearance.Lights[0].CastsShadows = true;
+  const auto lookFrom = [this](const glm::dvec3& from) {
+    this->Key.View = LookAt(this->Samples.Field.Dimensions, from, { 609, 351 });
+  };
+  lookFrom({ 1.0, 2.0, 0.7 });
+  FrameRenderer renderer;
+  renderer.Render(this->Key, {});
+  const FrameKey first = this->Key;
+  lookFrom({ -1.0, 2.0, 0.7 });
+  FrameRenderer::Options inParts;
+  inParts.ReportsTiles = true;
+  int reports = 0;
+  ASSERT_FALSE(renderer.Render(this->Key, inParts, [&](double) { return ++reports < 8; }));
+  this->Key = first;
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
+  this->Key.Appearance.Ambient += 0.1;
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Reshade);
+  EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
+}
+
 // The light of a still picture is kept, however much it is: of pixels, and of more rays at edges.
 TEST_F(FrameRendererTest, LightBecomesFinalBeyondItsMemory)
 {

@@ -96,7 +96,10 @@ bool FrameRenderer::Render(
       return false;
     }
     this->Finish(route, task);
-    this->Shadows.End();
+    if (light)
+    {
+      this->Shadows.End();
+    }
     this->KeepLight(light.get(), ofEdges.get(), task);
   }
   this->TimeToBuild = statistics.IsomapBuildTime;
@@ -111,29 +114,15 @@ std::unique_ptr<SurfaceLight> FrameRenderer::BeginLight(const FrameTask& task, R
   if (!key.Appearance.HasMutualLight())
   {
     this->Light.Clear();
-    this->Shadows = {};
-    return nullptr;
   }
   if (route == Route::Redisplay || route == Route::Antialias)
   {
     return nullptr;
   }
+  const bool keepsShadows = this->Shadows.Begin(key, route == Route::Reshade);
   if (!HasLight(key))
   {
-    this->Shadows = {};
     return nullptr;
-  }
-  const std::vector<TemporalCoherence::Light>& lights = key.Appearance.Lights;
-  const bool keepsShadows = !key.Isosurfaces().IsTranslucent() &&
-    std::any_of(lights.begin(), lights.end(),
-      [](const TemporalCoherence::Light& light) { return light.CastsHardShadows(); });
-  if (keepsShadows)
-  {
-    this->Shadows.Begin(key, route == Route::Reshade);
-  }
-  else
-  {
-    this->Shadows = {};
   }
   const LightOptions& options = task.Options.Light;
   const bool isRepeated = options.AtOnce || (route == Route::Reshade && task.IsRepeated);
@@ -196,7 +185,7 @@ bool FrameRenderer::SmoothEdges(
         task, shareOf(RaysOfFrame(options, isStill)), shareOf(options.Rays), isStill, nullptr);
     }
     CachedImage& made = isOfLast ? task.Store.LastToRecolor() : task.Store.Next();
-    task.Report = report;
+    task.Report = task.Options.ReportsTiles ? report : ReportProgress();
     const double before = task.Statistics.TilesTime; // by which rays are chosen
     const bool isDone = Antialias(task, light.get(), made.Picture);
     task.Statistics.TilesTime = before;

@@ -7,9 +7,17 @@
 namespace TemporalCoherence
 {
 
-void KeptShadows::Begin(const FrameKey& key, bool areHitsOfLast)
+bool KeptShadows::Begin(const FrameKey& key, bool areHitsOfLast)
 {
   const std::vector<Light>& lights = key.Appearance.Lights;
+  const bool areAny = key.Appearance.Shade &&
+    std::any_of(
+      lights.begin(), lights.end(), [](const Light& light) { return light.CastsHardShadows(); });
+  if (!areAny || key.Isosurfaces().IsTranslucent())
+  {
+    *this = {};
+    return false;
+  }
   const auto castAlike = [](const Light& a, const Light& b)
   {
     return a.CastsHardShadows() == b.CastsHardShadows() &&
@@ -25,6 +33,7 @@ void KeptShadows::Begin(const FrameKey& key, bool areHitsOfLast)
     this->Bits.assign(pixels, 0);
   }
   this->Lights = lights;
+  return true;
 }
 
 }

@@ -19,12 +19,14 @@ class KeptShadows
 public:
   static constexpr std::size_t MostLights = 16; ///< shadows of further lights are not kept
 
-  /// Begin a frame. What is kept is forgotten if it shows other hits, or if lights have moved.
+  /// Begin a frame whose hits are shaded. What is kept is forgotten if the frame shows other hits,
+  /// or if lights have moved.
   /// \param areHitsOfLast the frame has the hits of the frame before
+  /// \return true if there is something to keep: opaque surfaces, and lights with hard shadows
   /// \throws std::bad_alloc
-  void Begin(const FrameKey& key, bool areHitsOfLast);
+  bool Begin(const FrameKey& key, bool areHitsOfLast);
 
-  /// The frame is made. What a frame finds that is not made to its end will be forgotten.
+  /// That frame is made. What it found is forgotten if it is not made to its end.
   void End() { this->IsWhole = true; }
 
   /// True if it is known whether a light reaches the hit of a pixel.

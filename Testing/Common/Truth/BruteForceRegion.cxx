@@ -11,21 +11,6 @@
 #include <algorithm>
 #include <limits>
 
-namespace
-{
-
-std::array<double, 3> PointAt(const BruteForceTracer::Line& line, double t)
-{
-  std::array<double, 3> p;
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    p[a] = line.Origin[a] + t * line.Direction[a];
-  }
-  return p;
-}
-
-}
-
 BruteForceRegion::BruteForceRegion(vtkVolumeMapper* mapper, vtkVolume* volume)
   : Mapper(mapper)
 {
@@ -88,8 +73,8 @@ std::vector<double> BruteForceRegion::PlanesAt(const Point& world) const
 std::vector<BruteForceTracer::Line> BruteForceRegion::Of(const BruteForceTracer::Line& line) const
 {
   std::vector<double> stops = { line.Begin, line.End };
-  const std::vector<double> atBegin = this->PlanesAt(PointAt(line, line.Begin));
-  const std::vector<double> atEnd = this->PlanesAt(PointAt(line, line.End));
+  const std::vector<double> atBegin = this->PlanesAt(line.PointAt(line.Begin));
+  const std::vector<double> atEnd = this->PlanesAt(line.PointAt(line.End));
   for (std::size_t i = 0; i < atBegin.size(); ++i)
   {
     if ((atBegin[i] < 0.0) != (atEnd[i] < 0.0))
@@ -102,7 +87,7 @@ std::vector<BruteForceTracer::Line> BruteForceRegion::Of(const BruteForceTracer:
   std::vector<BruteForceTracer::Line> parts;
   for (std::size_t i = 0; i + 1 < stops.size(); ++i)
   {
-    if (!this->Keeps(PointAt(line, 0.5 * (stops[i] + stops[i + 1]))))
+    if (!this->Keeps(line.PointAt(0.5 * (stops[i] + stops[i + 1]))))
     {
       continue;
     }

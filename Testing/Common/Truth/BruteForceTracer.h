@@ -44,6 +44,17 @@ public:
   {
     std::array<double, 3> Origin, Direction; ///< the direction has unit length
     double Begin, End;                       ///< distances from the origin
+
+    /// The point at a distance from the origin.
+    std::array<double, 3> PointAt(double t) const
+    {
+      std::array<double, 3> point;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        point[a] = this->Origin[a] + t * this->Direction[a];
+      }
+      return point;
+    }
   };
 
   /// The line of sight through the centre of pixel (x, y) of a picture of width x height, between

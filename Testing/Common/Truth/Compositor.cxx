@@ -15,23 +15,6 @@
 
 using Mapper = vtkTemporalCoherenceVolumeMapper;
 
-namespace
-{
-
-using Point = std::array<double, 3>;
-
-Point PointOn(const BruteForceTracer::Line& line, double t)
-{
-  Point p;
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    p[a] = line.Origin[a] + t * line.Direction[a];
-  }
-  return p;
-}
-
-}
-
 /// A surface on a line of sight.
 struct Compositor::Layer
 {
@@ -117,7 +100,7 @@ std::vector<Compositor::Layer> Compositor::LayersOf(const BruteForceTracer::Line
     {
       const bool enters =
         this->Truth.Field.DifferenceAt(
-          this->Truth.Field.IndexOf(PointOn(line, hit.Distance + 2e3 * step)), isovalue) >= 0.0;
+          this->Truth.Field.IndexOf(line.PointAt(hit.Distance + 2e3 * step)), isovalue) >= 0.0;
       if (enters || !isSolid)
       {
         layers.push_back({ hit.Distance, enters ? 1 : 2, isovalue });
@@ -144,7 +127,7 @@ std::array<double, 4> Compositor::ColorOf(
   std::array<double, 4> color;
   property->GetRGBTransferFunction()->GetColor(layer.Isovalue, color.data());
   color[3] = property->GetScalarOpacity()->GetValue(layer.Isovalue);
-  const Point point = PointOn(line, layer.T);
+  const Point point = line.PointAt(layer.T);
   Point normal = this->GradientAt(point);
   color[3] *= this->OpacityByGradient(vtkMath::Normalize(normal.data()));
   if (property->GetShade())

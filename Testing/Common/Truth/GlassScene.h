@@ -267,11 +267,8 @@ private:
 
   double DepthAt(const BruteForceTracer::Line& line, double t) const
   {
-    std::array<double, 4> point{ 0.0, 0.0, 0.0, 1.0 };
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      point[a] = line.Origin[a] + t * line.Direction[a];
-    }
+    const std::array<double, 3> at = line.PointAt(t);
+    std::array<double, 4> point{ at[0], at[1], at[2], 1.0 };
     this->Renderer->GetActiveCamera()
       ->GetCompositeProjectionTransformMatrix(static_cast<double>(Width) / Height, 0.0, 1.0)
       ->MultiplyPoint(point.data(), point.data());

@@ -94,11 +94,7 @@ void ExpectTruth(
         continue;
       }
       const auto line = BruteForceTracer::LineThrough(scene.Renderer, x, y, Width, Height);
-      Point at;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        at[a] = line.Origin[a] + static_cast<double>(scene.DepthAt(x, y)) * line.Direction[a];
-      }
+      const Point at = line.PointAt(static_cast<double>(scene.DepthAt(x, y)));
       const auto exact = truth.Trace(line);
       if (exact.Isovalue < 0)
       {

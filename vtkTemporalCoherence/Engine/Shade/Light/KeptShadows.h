@@ -26,7 +26,7 @@ public:
   /// \throws std::bad_alloc
   bool Begin(const FrameKey& key, bool areHitsOfLast);
 
-  /// That frame is made. What it found is forgotten if it is not made to its end.
+  /// Keep the shadows of the finished frame. Shadows of stopped frames are forgotten.
   void End() { this->IsWhole = true; }
 
   /// True if it is known whether a light reaches the hit of a pixel.

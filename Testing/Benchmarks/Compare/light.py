@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Time and error of ambient occlusion (the first frame, turning frames, a still view), and the time
-of hard shadows of one light.
+of hard shadows of one light (turning frames, new colours of a still view).
 
 Prints a table in Markdown. Frames without both are made in turns with the others, in the same
 views. Errors are mean differences from the final picture, in steps of a byte.
@@ -128,6 +128,10 @@ def measure(name: str, isovalue: float, view: str) -> str:
             first_error = error(lit.pixels(), final_of(truth, renderer)[0])
         if turn < TURNS - 1:
             camera.Azimuth(1)
+    recolored = []
+    for step in range(TURNS):
+        shadowed.volume.GetProperty().SetAmbient(0.5 + 0.01 * step)
+        recolored.append(shadowed.make(renderer))
     last = lit.pixels()
     begin = time.perf_counter()
     final, frames = final_of(lit, renderer)
@@ -137,14 +141,14 @@ def measure(name: str, isovalue: float, view: str) -> str:
         f"| {name}, {isovalue:g}, {view} | {(final >= 0).sum() / 1e6:.2f} | {base:.0f} "
         f"| {first:.1f} | {turning[0] / base:.1f} | {statistics.median(turning[TURNS // 2:]) / base:.1f} "
         f"| {still:.0f} | {frames} | {first_error:.1f} | {error(last, final):.1f} "
-        f"| {statistics.median(shadows) / base:.1f} |")
+        f"| {statistics.median(shadows) / base:.1f} | {statistics.median(recolored) / base:.2f} |")
 
 
 def main() -> None:
-    print("| volume, isovalue, view | hits, million | cold, ms | first / cold | switched on / cold | turning / cold "
-          f"| still, ms | still frames | error: first frame | after {TURNS - 1} turns "
-          "| hard shadows / cold |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|")
+    print("| volume, isovalue, view | hits, million | cold, ms | first / cold | switched on / cold "
+          f"| turning / cold | still, ms | still frames | error: first frame | after {TURNS - 1} turns "
+          "| hard shadows / cold | new colours / cold |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|---|")
     print_rows(sys.argv[1:] or VOLUMES, measure)
 
 

@@ -33,7 +33,7 @@ public:
   /// What the window shows, in half as many pixels in each direction, so that edges are smooth.
   vtkSmartPointer<vtkImageData> Photograph();
 
-  /// The same of the final picture: light and edges are refined first.
+  /// The final picture of the window, half as large: light and edges are refined first.
   vtkSmartPointer<vtkImageData> PhotographFinal();
 
   /// The name of what draws the window, such as llvmpipe.

@@ -113,9 +113,10 @@ class Picture:
         columns = ((2 * numpy.arange(SIZE) + 1) * width) // (2 * SIZE)
         return colors[rows][:, columns]
 
-    def pixels(self) -> numpy.ndarray:
-        rgba = self.rgba().astype(float)
-        return rgba[..., :3] + GREY / 255 * (255 - rgba[..., 3:])
+
+def over_grey(rgba: numpy.ndarray) -> numpy.ndarray:
+    rgba = rgba.astype(float)
+    return rgba[..., :3] + GREY / 255 * (255 - rgba[..., 3:])
 
 
 def share(times: list[float]) -> float:
@@ -137,6 +138,16 @@ def blocks_in_time(picture: Picture) -> float:
     return distance
 
 
+def turn(picture: Picture, rate: float) -> tuple[list[float], list[numpy.ndarray]]:
+    """Times and pictures of an orbit."""
+    times, frames = [], []
+    for _ in range(FRAMES):
+        picture.turn(STEP)
+        times.append(picture.render(rate)[0])
+        frames.append(picture.rgba())
+    return times, frames
+
+
 def measure(asked: str) -> str:
     name, kind, *values = asked.split(":")
     image = volumes.load(name)
@@ -146,19 +157,19 @@ def measure(asked: str) -> str:
     truth, blocks, fewer = (Picture(image, kind, numbers) for _ in range(3))
     distance = blocks_in_time(blocks)
     blocks.turn(-STEP * 7 * distance)
-    cold, times, of_blocks, errors, block_errors = [], [], [], [], []
     for picture in (truth, fewer):
         picture.render(STILL)
-    for _ in range(FRAMES):
-        for picture in (truth, blocks, fewer):
-            picture.turn(STEP)
-        times.append(fewer.render(RATE)[0])
-        of_blocks.append(blocks.render(RATE)[0])
-        cold.append(truth.render(STILL))
-        exact = truth.pixels()
-        errors.append(numpy.abs(fewer.pixels() - exact).mean())
-        block_errors.append(numpy.abs(blocks.pixels() - exact).mean())
+    # One picture after the other, as in an interaction.
+    times, frames = turn(fewer, RATE)
     work = fewer.render(STILL)[1]
+    of_blocks, frames_of_blocks = turn(blocks, RATE)
+    cold, errors, block_errors = [], [], []
+    for frame, block in zip(frames, frames_of_blocks):
+        truth.turn(STEP)
+        cold.append(truth.render(STILL))
+        exact = over_grey(truth.rgba())
+        errors.append(numpy.abs(over_grey(frame) - exact).mean())
+        block_errors.append(numpy.abs(over_grey(block) - exact).mean())
     is_same = bool((fewer.rgba() == truth.rgba()).all()) and fewer.mapper.GetFrameIsFinal()
     error, block_error = statistics.mean(errors), statistics.mean(block_errors)
     return (

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A window gets the smallest rectangle of tiles with all hits and, where other things lie among its
-// layers, the last layer before them, as loops over all pixels find them.
+// A window gets a rectangle with all hits, which stays as large while hits move, and, where other
+// things lie among its layers, the last layer before them, as loops over all pixels find them.
 
 #include "Checks/Expect.h"
 #include "Window/LayerDepthClip.h"
@@ -78,6 +78,7 @@ void ExpectPicture(const Frame& frame, const std::string& what)
   const View view = ViewOf(frame.Size);
   WindowPicture picture;
   picture.Assign(frame, view, frame.Size);
+  constexpr int grain = WindowPicture::HitsGrain;
   glm::ivec2 first = frame.Size, end(0);
   bool hasOpaque = false, hasTranslucent = false;
   for (int y = 0; y < frame.Size.y; ++y)
@@ -87,8 +88,8 @@ void ExpectPicture(const Frame& frame, const std::string& what)
       const glm::ivec2 pixel(x, y);
       if (frame.Isovalues[PlaceOf(frame, pixel)] != Frame::NoSurface)
       {
-        first = glm::min(first, pixel / TileSize * TileSize);
-        end = glm::max(end, glm::min((pixel / TileSize + 1) * TileSize, frame.Size));
+        first = glm::min(first, pixel / grain * grain);
+        end = glm::max(end, glm::min((pixel / grain + 1) * grain, frame.Size));
         const int alpha = frame.Colors[PlaceOf(frame, pixel)][3];
         hasOpaque |= alpha == 255;
         hasTranslucent |= alpha > 0 && alpha < 255;
@@ -101,7 +102,7 @@ void ExpectPicture(const Frame& frame, const std::string& what)
     return;
   }
   Expect(picture.Rect.First == first && picture.Rect.Size == end - first,
-    what + ": the smallest rectangle of tiles with all hits");
+    what + ": the smallest rectangle of its grain with all hits");
   Expect(picture.HasOpaque == hasOpaque && picture.HasTranslucent == hasTranslucent,
     what + ": what its hits are like");
   std::size_t at = 0;
@@ -127,7 +128,8 @@ void TestRectangles()
   std::mt19937 engine(31);
   for (int round = 0; round < 400; ++round)
   {
-    const glm::ivec2 size(1 + Below(engine, 45), 1 + Below(engine, 45));
+    const int most = round % 4 == 0 ? 300 : 45;
+    const glm::ivec2 size(1 + Below(engine, most), 1 + Below(engine, most));
     Frame frame = EmptyFrame(size);
     const int kinds = Below(engine, 3);
     for (int hit = Below(engine, 5); hit > 0; --hit)
@@ -147,6 +149,44 @@ void TestRectangles()
     SetHit(frame, { pixel % size.x, pixel / size.x }, 0.5, { 9, 9, 9, 255 });
     ExpectPicture(frame, "pixel " + std::to_string(pixel));
   }
+}
+
+/// Pictures have the rectangle of the last one as long as it is at most twice as large.
+void TestRoomOfTheLastPicture()
+{
+  constexpr int grain = WindowPicture::HitsGrain;
+  const glm::ivec2 size(8 * grain, 4 * grain);
+  const View view = ViewOf(size);
+  WindowPicture picture;
+  const auto expect = [&](const glm::ivec2& firstHit, const glm::ivec2& lastHit,
+                        const glm::ivec2& first, const glm::ivec2& end, const std::string& what)
+  {
+    Frame frame = EmptyFrame(size);
+    SetHit(frame, firstHit, 0.5, { 1, 2, 3, 255 });
+    SetHit(frame, lastHit, 0.5, { 3, 2, 1, 255 });
+    picture.Assign(frame, view, size);
+    Expect(picture.Rect.First == grain * first && picture.Rect.Size == grain * (end - first), what);
+    for (const glm::ivec2& hit : { firstHit, lastHit })
+    {
+      const glm::ivec2 at = hit - picture.Rect.First;
+      const auto place = static_cast<std::size_t>(at.y * picture.Rect.Size.x + at.x);
+      Expect(picture.Colors[place] == frame.Colors[PlaceOf(frame, hit)], what + ": a hit");
+    }
+  };
+  const glm::ivec2 middle = grain * glm::ivec2(2, 2);
+  expect(middle, middle + grain, { 2, 2 }, { 4, 4 }, "the first picture");
+  expect(middle, middle + glm::ivec2(grain, 0), { 2, 2 }, { 4, 4 }, "half as large: as before");
+  expect(middle, middle + glm::ivec2(2 * grain, 0), { 2, 2 }, { 5, 4 }, "it grows");
+  expect(middle, middle, { 2, 2 }, { 3, 3 }, "much smaller");
+  expect(grain * glm::ivec2(6, 0), grain * glm::ivec2(7, 0), { 6, 0 }, { 8, 1 }, "elsewhere");
+  const Frame empty = EmptyFrame(size);
+  picture.Assign(empty, view, size);
+  Expect(picture.Rect.Size == glm::ivec2(0), "nothing to show");
+  expect(middle, middle, { 2, 2 }, { 3, 3 }, "after nothing");
+  Frame small = EmptyFrame({ grain, grain });
+  SetHit(small, { 1, 1 }, 0.5, { 1, 2, 3, 255 });
+  picture.Assign(small, ViewOf(small.Size), small.Size);
+  Expect(picture.Rect.First == glm::ivec2(0) && picture.Rect.Size == small.Size, "fewer pixels");
 }
 
 /// Up to three layers in most pixels, round by round.
@@ -274,6 +314,7 @@ void TestHasLayers()
 int TestWindowPicture(int, char*[])
 {
   TestRectangles();
+  TestRoomOfTheLastPicture();
   TestClippedLayers();
   TestHasLayers();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -15,7 +15,6 @@ namespace
 
 /// Rows of tiles per task.
 constexpr std::int64_t RowGrain = 2;
-
 std::size_t PlaceOf(const Frame& frame, int x, int y)
 {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
@@ -50,9 +49,10 @@ bool HasHits(const Frame& frame, std::int64_t tile)
   return false;
 }
 
-/// The smallest rectangle of tiles with all hits of a frame.
+/// The smallest rectangle with all hits of a frame that WindowPicture::HitsGrain allows.
 PixelRect FindHits(const Frame& frame)
 {
+  static_assert(WindowPicture::HitsGrain % TileSize == 0, "whole tiles");
   const glm::ivec2 tiles = TilesOf(frame.Size);
   glm::ivec2 first = tiles, last(-1);
   std::mutex guard;
@@ -79,8 +79,23 @@ PixelRect FindHits(const Frame& frame)
   {
     return PixelRect();
   }
-  const glm::ivec2 end = glm::min((last + 1) * TileSize, frame.Size);
-  return { first * TileSize, end - first * TileSize };
+  constexpr int grain = WindowPicture::HitsGrain;
+  const glm::ivec2 begin = first * TileSize / grain * grain;
+  const glm::ivec2 end = glm::min((last * TileSize / grain + 1) * grain, frame.Size);
+  return { begin, end - begin };
+}
+
+/// The rectangle around new hits and the last ones, if that is not much larger than the new ones'.
+PixelRect KeepRoom(const PixelRect& hits, const PixelRect& last, const glm::ivec2& size)
+{
+  constexpr int mostTimes = 2;
+  const glm::ivec2 first = glm::min(hits.First, last.First);
+  const glm::ivec2 end = glm::max(hits.First + hits.Size, last.First + last.Size);
+  const glm::ivec2 both = end - first;
+  const bool isLarge = static_cast<std::int64_t>(both.x) * both.y >
+    static_cast<std::int64_t>(mostTimes) * hits.Size.x * hits.Size.y;
+  return isLarge || last.Size.x == 0 || end != glm::min(end, size) ? hits
+                                                                   : PixelRect{ first, both };
 }
 
 bool IsOpaque(const PixelColor& color)
@@ -221,7 +236,7 @@ void WindowPicture::Assign(const Frame& frame, const View& view, const glm::ivec
 {
   const PixelRays rays(frame.Size, window);
   this->Size = rays.AreMore() ? window : frame.Size;
-  this->Hits = FindHits(frame);
+  this->Hits = KeepRoom(FindHits(frame), this->Hits, frame.Size);
   this->Rect = rays.AreMore() ? rays.PixelsOf(this->Hits) : this->Hits;
   this->Colors.resize(
     static_cast<std::size_t>(this->Rect.Size.x) * static_cast<std::size_t>(this->Rect.Size.y));

@@ -30,8 +30,13 @@ struct WindowPicture
   std::vector<PixelColor> MeanColors(
     const Frame& frame, const std::vector<PixelColor>& colors) const;
 
+  /// Hits begins and ends at multiples of this, in rays, and holds those of the last picture,
+  /// unless that doubles it. So while the camera turns, most pictures have equally large textures,
+  /// for which OpenGL needs no new memory.
+  static constexpr int HitsGrain = 64;
+
   glm::ivec2 Size{ 0 };           ///< of the whole picture
-  PixelRect Hits;                 ///< whole tiles of rays with all hits; or empty
+  PixelRect Hits;                 ///< rays with all hits, and some around them; or empty
   PixelRect Rect;                 ///< the pixels that show them
   std::vector<PixelColor> Colors; ///< premultiplied; all 0 where nothing is hit
   std::vector<float> Depths; ///< in the depth buffer, of the first visible surfaces (PixelRays)

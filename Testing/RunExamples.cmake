@@ -35,6 +35,8 @@ foreach (example IN LISTS examples)
   set(directory "${SCRATCH}/${example}")
   run("${CMAKE_COMMAND}" -S "${EXAMPLES}/${example}" -B "${directory}" -G "${GENERATOR}"
     "-DCMAKE_BUILD_TYPE=${CONFIGURATION}"
+    # Headers take longer to compile than the files themselves.
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8
     "-DCMAKE_C_COMPILER=${C_COMPILER}"
     "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
     "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"

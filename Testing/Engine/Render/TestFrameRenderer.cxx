@@ -123,6 +123,7 @@ TEST_F(FrameRendererTest, StoppedFramesLeaveNoShadows)
 // The light of a still picture is kept, however much it is: of pixels, and of more rays at edges.
 TEST_F(FrameRendererTest, LightBecomesFinalBeyondItsMemory)
 {
+  this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 41, 23 });
   this->Key.Appearance.Occlusion.Radius = 5.0;
   FrameRenderer::Options options;
   options.Antialias = Antialiasing::WhenStill;

@@ -114,8 +114,8 @@ set(python_build_directory "${CMAKE_BINARY_DIR}/python")
 set_target_properties(vtkTemporalCoherencePython PROPERTIES
   LIBRARY_OUTPUT_DIRECTORY "${python_build_directory}/vtkTemporalCoherence")
 
-foreach (file IN ITEMS __init__.py everywhere.py isosurfaces.py mapper_support.py numpy_support.py
-    py.typed)
+foreach (file IN ITEMS __init__.py blended.py everywhere.py given_data.py isosurfaces.py
+    mapper_support.py numpy_support.py pictures.py py.typed)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/vtkTemporalCoherence/${file}"
     "${python_build_directory}/vtkTemporalCoherence/${file}" COPYONLY)
   install(
@@ -123,6 +123,13 @@ foreach (file IN ITEMS __init__.py everywhere.py isosurfaces.py mapper_support.p
     DESTINATION "${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}/vtkTemporalCoherence"
     COMPONENT python)
 endforeach ()
+
+set(python_version "${python_build_directory}/vtkTemporalCoherence/version.py")
+file(WRITE "${python_version}" "__version__ = \"${PROJECT_VERSION}\"\n")
+install(
+  FILES "${python_version}"
+  DESTINATION "${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}/vtkTemporalCoherence"
+  COMPONENT python)
 
 # Types of the wrapped classes, for editors and checkers, by VTK's own generator. Debian has it since
 # VTK 9.3.

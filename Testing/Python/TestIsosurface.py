@@ -213,7 +213,7 @@ class Mistakes(unittest.TestCase):
     def test_sentences(self):
         image = image_of(distances())
         for error, sentence, arguments, look in (
-                (TypeError, "make one with pyvista.wrap", (distances(), 1), {}),
+                (TypeError, "not list", ([[[1.0, 2.0]]], 1), {}),
                 (TypeError, "not vtkTable", (vtkTable(), 1), {}),
                 (TypeError, "of polygons has no isosurfaces", (vtkPolyData(), 1), {}),
                 (ValueError, "no array of numbers", (vtkImageData(), 1), {}),

@@ -8,7 +8,8 @@
 The mapper goes into a vtkVolume as any other. It draws the isosurfaces of
 volume.GetProperty().GetIsoSurfaceValues(). help(vtkTemporalCoherenceVolumeMapper) tells the rest.
 
-    isosurface             a volume of isosurfaces of any grid, for PyVista's plotters as well
+    isosurface             isosurfaces of any grid or array: a picture, or an actor for plotters
+    composite, maximum     half transparent volumes and maxima, in the same way
     use_everywhere         let it draw the isosurfaces of VTK's own mappers, made from now on
     replace_mapper         put it into a vtkVolume that has another mapper
     numpy_to_image         a volume from a NumPy array
@@ -16,8 +17,8 @@ volume.GetProperty().GetIsoSurfaceValues(). help(vtkTemporalCoherenceVolumeMappe
     planes, Planes         the arrays of the last frame: colour, depth, normals and more
     write_png              a picture into a file
 
-The last four are those of vtkTemporalCoherence.numpy_support; only they need NumPy. An
-IsosurfaceVolume is what isosurface() makes.
+The last four are those of vtkTemporalCoherence.numpy_support. They need NumPy, and so do arrays,
+pictures and blended volumes. What the first three make is a PicturedVolume, and its picture a Picture.
 
 Arguments that the wrapped methods fill are lists, but for t, which is a reference:
 
@@ -37,9 +38,12 @@ import vtkmodules.vtkCommonDataModel  # noqa: F401
 import vtkmodules.vtkCommonMisc  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
+from .blended import BlendedVolume, composite, maximum
 from .everywhere import use_everywhere
 from .isosurfaces import IsosurfaceVolume, isosurface
 from .mapper_support import replace_mapper
+from .pictures import Picture, PicturedVolume
+from .version import __version__
 from .vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper,
     vtkTemporalCoherenceGPUVolumeRayCastMapper,
@@ -58,8 +62,14 @@ if TYPE_CHECKING:  # types, without NumPy
 _OF_NUMPY_SUPPORT = ("Planes", "numpy_to_image", "planes", "render", "write_png")
 
 __all__ = [
+    "BlendedVolume",
     "IsosurfaceVolume",
+    "Picture",
+    "PicturedVolume",
+    "__version__",
+    "composite",
     "isosurface",
+    "maximum",
     "replace_mapper",
     "use_everywhere",
     "vtkTemporalCoherenceDropInMapper",

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Isosurfaces of PyVista's and VTK's data in one call, with the names of PyVista's arguments."""
+"""Isosurfaces of arrays and of VTK's and PyVista's data in one call, with the names of PyVista's
+arguments."""
 
 from __future__ import annotations
 
@@ -10,11 +11,12 @@ from typing import Any, Callable, Iterable, Iterator, Sequence
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkScalarsToColors
 from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkDataSetAttributes, vtkPiecewiseFunction,
-    vtkPolyData)
+    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkDataSetAttributes, vtkPiecewiseFunction)
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
-from .vtkTemporalCoherence import vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper
+from .given_data import data_object
+from .pictures import PicturedVolume
+from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
 
 __all__ = ["IsosurfaceVolume", "isosurface"]
 
@@ -30,7 +32,7 @@ _LETTERS = {
 _NODES = 256
 
 
-class IsosurfaceVolume(vtkTemporalCoherenceVolume):
+class IsosurfaceVolume(PicturedVolume):
     """What isosurface() makes: a volume whose mapper is a vtkTemporalCoherenceVolumeMapper.
 
     Set `values` to move its surfaces, for example from a slider:
@@ -99,15 +101,21 @@ def isosurface(
     ambient_occlusion: bool | float = False,
     occlusion_radius: float | None = None,
     solid: bool = False,
+    spacing: Sequence[float] | None = None,
+    origin: Sequence[float] | None = None,
 ) -> IsosurfaceVolume:
-    """Make a volume that shows isosurfaces of a grid, for PyVista's plotters and VTK's renderers.
+    """Make a volume that shows isosurfaces of a grid or array: a picture by itself, and an actor for
+    PyVista's plotters and VTK's renderers.
 
+        isosurface(array, 150).save("picture.png")   # the last line of a notebook's cell shows it
         plotter.add_actor(isosurface(grid, 150))
         plotter.add_actor(isosurface(grid, [100, 200], "pressure", cmap="viridis", opacity=[0.3, 1]))
         renderer.AddVolume(isosurface(image, 150))
 
     grid            an ImageData, RectilinearGrid, StructuredGrid, ExplicitStructuredGrid,
-                    UnstructuredGrid or MultiBlock of PyVista, or a data set or composite of VTK
+                    UnstructuredGrid or MultiBlock of PyVista, a data set or composite of VTK, an
+                    array of NumPy (or what converts to one) that is indexed [z, y, x], or a
+                    DataArray of xarray with three dimensions and the coordinates of its samples
     values          the isovalue, or several of them
     scalars         name of the array, or an array with a number for each point or cell. None: the
                     active scalars, or else the first array
@@ -129,13 +137,15 @@ def isosurface(
     occlusion_radius
                     how far surfaces keep light away. None: an eighth of the longest edge
     solid           True: draw all that is at least the value as a solid, closed where the grid ends
+    spacing, origin
+                    of a plain array, in the order x, y, z. None: 1 and 0
 
-    The grid is not copied. Arrays of cells are averaged at the points. PyVista itself is not needed.
+    The data are not copied. Arrays of cells are averaged at the points. PyVista itself is not needed.
 
     Raises TypeError for what is no grid or of another kind than these, ValueError for other
     mistakes. What the mapper refuses, it says when it draws.
     """
-    _check_grid(grid)
+    grid = data_object(grid, spacing, origin)
     values = _checked_values(values)
     if color is not None and cmap is not None:
         raise ValueError("A surface has a colour or a colour map: give color or cmap, not both.")
@@ -189,18 +199,6 @@ def _set_occlusion(
     if strength > 0.0:
         mapper.SetAmbientOcclusionStrength(strength)
         mapper.SetAmbientOcclusionRadius(radius)
-
-
-def _check_grid(grid: Any) -> None:
-    if isinstance(grid, vtkPolyData):
-        raise TypeError(
-            "A surface of polygons has no isosurfaces: give the grid that it was made of, or draw "
-            "it with add_mesh().")
-    if not isinstance(grid, (vtkDataSet, vtkCompositeDataSet)):
-        raise TypeError(
-            f"A grid must be a data set of PyVista or VTK, not {type(grid).__name__}: of an array "
-            f"make one with pyvista.wrap(array) or numpy_to_image(array), of a filter give its "
-            f"output.")
 
 
 def _leaves(grid: vtkDataObject) -> Iterator[vtkDataSet]:

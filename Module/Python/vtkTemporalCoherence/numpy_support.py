@@ -179,13 +179,14 @@ def render(
 def write_png(
     file: str | os.PathLike | BinaryIO,
     color: numpy.ndarray,
-    background: Sequence[float] = (0.0, 0.0, 0.0),
+    background: Sequence[float] | None = (0.0, 0.0, 0.0),
 ) -> None:
     """Write the plane `color` of a picture as PNG.
 
     file        a path, or an object with write(bytes)
     color       (height, width, 4) uint8, as from render(): the row written last is row 0
-    background  red, green and blue, 0 to 1, of what is seen where the surfaces are not opaque
+    background  red, green and blue, 0 to 1, of what is seen where the surfaces are not opaque.
+                None: the PNG is transparent there
 
     Raises TypeError for another array, ValueError for an empty one or a background that is no
     colour, OSError if the file cannot be written.
@@ -202,6 +203,22 @@ def write_png(
         # libpng ends the process for such a picture.
         raise ValueError(
             f"A picture of the shape {color.shape} has no pixels: give one of at least 1 x 1.")
+    pixels = straight_alpha(color) if background is None else _before(color, background)
+
+    writer = vtkPNGWriter()
+    writer.SetInputData(_image(pixels, (*pixels.shape[1::-1], 1), pixels.shape[2:], "Color"))
+    writer.WriteToMemoryOn()
+    writer.Write()
+    data = memoryview(writer.GetResult())
+    if hasattr(file, "write"):
+        file.write(data)
+    else:
+        with open(file, "wb") as opened:
+            opened.write(data)
+
+
+def _before(color: numpy.ndarray, background: Sequence[float]) -> numpy.ndarray:
+    """The colours of a picture before a background."""
     try:
         is_color = all(0.0 <= part <= 1.0 for part in background) and len(background) == 3
     except TypeError:
@@ -211,18 +228,17 @@ def write_png(
             f"The background must be three numbers from 0 to 1, not {background!r}: give red, "
             f"green and blue.")
     behind = (255 - color[..., 3:]) * numpy.asarray(background, numpy.float32)
-    pixels = numpy.rint(color[..., :3] + behind).astype(numpy.uint8)
+    return numpy.rint(color[..., :3] + behind).astype(numpy.uint8)
 
-    writer = vtkPNGWriter()
-    writer.SetInputData(_image(pixels, (*pixels.shape[1::-1], 1), (3,), "Color"))
-    writer.WriteToMemoryOn()
-    writer.Write()
-    data = memoryview(writer.GetResult())
-    if hasattr(file, "write"):
-        file.write(data)
-    else:
-        with open(file, "wb") as opened:
-            opened.write(data)
+
+def straight_alpha(color: numpy.ndarray) -> numpy.ndarray:
+    """A copy of RGBA whose colours are no longer multiplied by alpha. For other modules of this
+    package, too."""
+    alpha = color[..., 3:].astype(numpy.float32)
+    straight = color.copy()
+    straight[..., :3] = numpy.rint(numpy.minimum(
+        255.0 * color[..., :3] / numpy.maximum(alpha, 1.0), 255.0)).astype(numpy.uint8)
+    return straight
 
 
 class _Errors:

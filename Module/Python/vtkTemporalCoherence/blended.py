@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Blended volumes in one call: half transparent ones, and maxima."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Sequence
+
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataObject, vtkImageData, vtkPiecewiseFunction, vtkRectilinearGrid)
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
+
+from .given_data import data_object
+from .pictures import PicturedVolume
+from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
+
+#: Looks by name: nodes of value, colour and opacity. Values are Hounsfield units. The opacity is that
+#: of a millimetre in the middle of a sample's edge.
+PRESETS = {
+    "ct bone": (
+        (150, (0.55, 0.25, 0.15), 0.0), (300, (0.90, 0.75, 0.55), 0.35),
+        (700, (1.00, 0.95, 0.85), 0.70), (1500, (1.00, 1.00, 0.95), 0.85)),
+    "ct soft tissue": (
+        (-200, (0.55, 0.25, 0.15), 0.0), (-50, (0.85, 0.60, 0.45), 0.05),
+        (60, (0.80, 0.35, 0.25), 0.15), (150, (0.90, 0.70, 0.55), 0.30),
+        (400, (1.00, 0.95, 0.85), 0.70)),
+    "ct vessels": (
+        (120, (0.45, 0.05, 0.05), 0.0), (200, (0.80, 0.15, 0.10), 0.35),
+        (350, (0.95, 0.55, 0.35), 0.60), (700, (1.00, 0.95, 0.85), 0.80)),
+}
+
+#: The look without a preset: shares of the range of most values, colours and opacities.
+_PLAIN = ((0.25, (0.45, 0.20, 0.12), 0.0), (0.45, (0.85, 0.55, 0.40), 0.06),
+          (0.70, (0.95, 0.80, 0.60), 0.25), (1.0, (1.00, 0.97, 0.92), 0.70))
+
+#: How many of a hundred samples are darker, and not lighter, than "most values". Maxima lie among
+#: the lightest ones.
+_DARKER, _NOT_LIGHTER, _NOT_LIGHTER_MAXIMA = 1.0, 99.5, 99.95
+
+
+class BlendedVolume(PicturedVolume):
+    """What composite() and maximum() make: a volume whose mapper blends samples along each ray.
+
+    GetMapper() and GetProperty() lead to all settings.
+    """
+
+
+def composite(
+    data: Any,
+    preset: str | None = None,
+    scalars: str | None = None,
+    *,
+    shift: float = 0.0,
+    opacity: float = 1.0,
+    lighting: bool = True,
+    spacing: Sequence[float] | None = None,
+    origin: Sequence[float] | None = None,
+) -> BlendedVolume:
+    """Make a half transparent volume, of which colours and opacities are functions of the values.
+
+        composite(array, "ct bone", spacing=(0.5, 0.5, 1.0)).save("bone.png")
+
+    data             an image, rectilinear grid or array: see isosurface()
+    preset           "ct bone", "ct soft tissue" or "ct vessels", for values in Hounsfield units. None:
+                     rarer, larger values are more opaque, whatever their unit
+    scalars          name of the array at the points. None: the active scalars, or else the first one
+    shift            added to the values of the preset, in their unit
+    opacity          factor of all opacities, above 0
+    lighting         False: colours without light
+    spacing, origin  of a plain array, in the order x, y, z
+
+    Raises TypeError for data of another kind, ValueError for other mistakes.
+    """
+    if preset is not None and preset not in PRESETS:
+        raise ValueError(f"There is no preset {preset!r}, only {', '.join(PRESETS)}.")
+    if not 0.0 < _number("opacity", opacity) < math.inf:
+        raise ValueError(f"The opacity must be a finite factor above 0, not {opacity!r}.")
+    shift = _number("shift", shift)
+    volume, samples = _volume(data, scalars, spacing, origin)
+    low, high = _most_values(samples) if preset is None else (0.0, 1.0)
+    colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
+    for place, color, share in _PLAIN if preset is None else PRESETS[preset]:
+        value = low + place * (high - low) + shift
+        colors.AddRGBPoint(value, *color)
+        opacities.AddPoint(value, 1.0 - (1.0 - share) ** opacity)
+    look = volume.GetProperty()
+    look.SetColor(colors)
+    look.SetScalarOpacity(opacities)
+    look.SetShade(lighting)
+    volume.GetMapper().SetBlendModeToComposite()
+    return volume
+
+
+def maximum(
+    data: Any,
+    scalars: str | None = None,
+    *,
+    window: float | None = None,
+    level: float | None = None,
+    spacing: Sequence[float] | None = None,
+    origin: Sequence[float] | None = None,
+) -> BlendedVolume:
+    """Make a volume that shows the largest value on each ray, from black to white.
+
+    data             an image, rectilinear grid or array: see isosurface()
+    scalars          name of the array at the points. None: the active scalars, or else the first one
+    window, level    the values from black to white, and the one in their middle. None: so that
+                     nearly all samples lie between
+    spacing, origin  of a plain array, in the order x, y, z
+
+    Raises TypeError for data of another kind, ValueError for other mistakes.
+    """
+    volume, samples = _volume(data, scalars, spacing, origin)
+    low, high = _most_values(samples, _NOT_LIGHTER_MAXIMA)
+    window = high - low if window is None else _number("window", window)
+    level = 0.5 * (low + high) if level is None else _number("level", level)
+    if not window > 0.0:
+        raise ValueError(f"The window must be larger than 0, not {window!r}.")
+    low, high = level - 0.5 * window, level + 0.5 * window
+    colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
+    for value, grey in ((low, 0.0), (high, 1.0)):
+        colors.AddRGBPoint(value, grey, grey, grey)
+        opacities.AddPoint(value, 1.0)
+    look = volume.GetProperty()
+    look.SetColor(colors)
+    look.SetScalarOpacity(opacities)
+    volume.GetMapper().SetBlendModeToMaximumIntensity()
+    return volume
+
+
+def _number(what: str, given: Any) -> float:
+    try:
+        number = float(given)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise ValueError(f"The {what} must be a finite number, not {given!r}.")
+    return number
+
+
+def _volume(
+    data: Any, scalars: str | None, spacing: Sequence[float] | None, origin: Sequence[float] | None
+) -> tuple[BlendedVolume, Any]:
+    """A volume of some data, and its samples as a NumPy array."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    data = data_object(data, spacing, origin)
+    if not isinstance(data, (vtkImageData, vtkRectilinearGrid)):
+        raise TypeError(
+            f"Values are blended in images and rectilinear grids, not in {type(data).__name__}: "
+            f"resample it (vtkResampleToImage, or sample() of PyVista), or draw isosurface().")
+    name = _name_of(data, scalars)
+    samples = data.GetPointData().GetArray(name) if name else data.GetPointData().GetScalars()
+    if samples.GetNumberOfComponents() > 1:
+        raise ValueError(
+            f"The array {name or 'of scalars'!r} has {samples.GetNumberOfComponents()} components: "
+            f"give an array of one.")
+    mapper = vtkTemporalCoherenceVolumeMapper()
+    mapper.SetInputDataObject(data)
+    if name:
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectScalarArray(name)
+    volume = BlendedVolume()
+    volume.SetMapper(mapper)
+    look = volume.GetProperty()
+    look.SetInterpolationTypeToLinear()
+    look.SetScalarOpacityUnitDistance(_unit_distance(data))
+    return volume, vtk_to_numpy(samples)
+
+
+def _name_of(data: vtkDataObject, scalars: str | None) -> str | None:
+    points = data.GetPointData()
+    names = [points.GetArrayName(i) for i in range(points.GetNumberOfArrays())
+             if points.GetArray(i) is not None]
+    if scalars is not None:
+        if scalars not in names:
+            raise ValueError(
+                f"There is no array {scalars!r} at the points: choose of "
+                f"{', '.join(map(str, names)) or 'none, as there are no arrays'}.")
+        return scalars
+    if points.GetScalars() is not None:
+        return points.GetScalars().GetName()
+    named = [name for name in names if name]
+    if not named:
+        raise ValueError("The grid has no array of numbers at its points: add one.")
+    return named[0]
+
+
+def _unit_distance(data: vtkDataObject) -> float:
+    """The mean distance of samples: opacities are those of one step between samples."""
+    bounds, dimensions = data.GetBounds(), data.GetDimensions()
+    steps = [(bounds[2 * axis + 1] - bounds[2 * axis]) / (dimensions[axis] - 1)
+             for axis in range(3) if dimensions[axis] > 1]
+    return sum(steps) / len(steps) if steps and sum(steps) > 0.0 else 1.0
+
+
+def _most_values(samples: Any, not_lighter: float = _NOT_LIGHTER) -> tuple[float, float]:
+    """Between which values most samples lie that are not the commonest one, as in air."""
+    import numpy
+    most = 1_000_000
+    some = samples[::max(len(samples) // most, 1)]
+    some = some[numpy.isfinite(some)].astype(float)
+    if not some.size:
+        return 0.0, 1.0
+    inside = some[some > some.min()]
+    low, high = numpy.percentile(inside if inside.size else some, (_DARKER, not_lighter))
+    return (float(low), float(high)) if high > low else (float(low) - 0.5, float(low) + 0.5)

@@ -1,0 +1,200 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Volumes that show themselves: in notebooks, in files, and in a window."""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from typing import TYPE_CHECKING, Any, BinaryIO, Sequence
+
+import vtkmodules.vtkInteractionStyle  # noqa: F401  what the mouse does in windows
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
+
+from .vtkTemporalCoherence import vtkTemporalCoherenceRefiner, vtkTemporalCoherenceVolume
+
+if TYPE_CHECKING:  # without NumPy
+    import numpy
+    from .numpy_support import Planes
+
+#: From where each view looks, and what is up, by PyVista's names.
+_VIEWS = {
+    "iso": ((1.0, 1.0, 1.0), (0.0, 0.0, 1.0)),
+    "xy": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)), "yx": ((0.0, 0.0, -1.0), (1.0, 0.0, 0.0)),
+    "xz": ((0.0, -1.0, 0.0), (0.0, 0.0, 1.0)), "zx": ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0)),
+    "yz": ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)), "zy": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+}
+
+
+class Picture:
+    """A finished picture: arrays whose row 0 is the top row, as Matplotlib and Pillow want them.
+
+    color           (height, width, 4) uint8: RGBA, not multiplied by alpha
+    depth           (height, width) float32: distance along a pixel's ray in world units; infinity
+                    where nothing is hit
+    normals         (height, width, 3) float32: unit normals in the world; 0 where nothing is hit
+    isovalue_index  (height, width) int32: which isovalue is hit; -1 where none is
+    planes          what render() gives: row 0 is the bottom row, and colours are multiplied
+
+    The last expression of a notebook's cell shows it.
+    """
+
+    def __init__(self, planes: Planes) -> None:
+        self.planes = planes
+
+    @property
+    def color(self) -> numpy.ndarray:
+        from .numpy_support import straight_alpha
+        return straight_alpha(self.planes.color)[::-1]
+
+    @property
+    def depth(self) -> numpy.ndarray:
+        return self.planes.depth[::-1]
+
+    @property
+    def normals(self) -> numpy.ndarray:
+        return self.planes.normals[::-1]
+
+    @property
+    def isovalue_index(self) -> numpy.ndarray:
+        return self.planes.isovalue_index[::-1]
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in pixels."""
+        height, width = self.planes.depth.shape
+        return width, height
+
+    def save(
+        self, file: str | os.PathLike | BinaryIO, background: Sequence[float] | None = None
+    ) -> None:
+        """Write a PNG.
+
+        file        a path that ends in .png, or an object with write(bytes)
+        background  red, green and blue, 0 to 1. None: transparent where nothing is hit
+
+        Raises ValueError for another suffix or what is no colour, OSError if the file cannot be
+        written.
+        """
+        from .numpy_support import write_png
+        if not hasattr(file, "write") and not os.fspath(file).lower().endswith(".png"):
+            raise ValueError(
+                f"Pictures are written as PNG: give a name that ends in .png, not {file!r}.")
+        write_png(file, self.planes.color, background)
+
+    def _repr_png_(self) -> bytes:
+        data = io.BytesIO()
+        self.save(data)
+        return data.getvalue()
+
+    def __repr__(self) -> str:
+        width, height = self.size
+        return f"<Picture of {width} x {height} pixels>"
+
+
+class PicturedVolume(vtkTemporalCoherenceVolume):
+    """What isosurface(), composite() and maximum() make: a volume that shows itself.
+
+    It is a vtkVolume for plotters of PyVista and renderers of VTK. Alone, it is a picture: the last
+    expression of a notebook's cell shows it.
+
+    `renderer` has the camera and the lights of its pictures.
+    """
+
+    _renderer: vtkRenderer | None = None
+
+    @property
+    def renderer(self) -> vtkRenderer:
+        """Has the camera and the lights of pictures: change them as you like."""
+        if self._renderer is None:
+            self._renderer = vtkRenderer()
+            self.look_from("iso")
+        return self._renderer
+
+    def look_from(self, view: str | Sequence[float]) -> None:
+        """Turn the camera of pictures, so that it sees the whole volume.
+
+        view    "iso", "xy", "xz", "yz" or their reverse, as in PyVista; or the direction from the
+                volume to the eye, as three numbers
+
+        Raises ValueError for another view.
+        """
+        direction, up = _view(view)
+        renderer = self._renderer or self.renderer
+        camera = renderer.GetActiveCamera()
+        camera.SetFocalPoint(0.0, 0.0, 0.0)
+        camera.SetPosition(*direction)
+        camera.SetViewUp(*up)
+        renderer.ResetCamera(self.GetBounds())
+
+    def picture(self, size: tuple[int, int] = (512, 512)) -> Picture:
+        """Make a picture, without a window or display. It is final: antialiased, with all light.
+
+        size    width and height in pixels
+
+        Raises ValueError with the mapper's own message if it cannot draw the data.
+        """
+        from .numpy_support import render
+        return Picture(render(self, self.renderer, size))
+
+    def save(
+        self, file: str | os.PathLike | BinaryIO, size: tuple[int, int] = (1024, 1024),
+        background: Sequence[float] | None = None,
+    ) -> None:
+        """Write a picture as PNG: see Picture.save()."""
+        self.picture(size).save(file, background)
+
+    def show(
+        self, size: tuple[int, int] = (800, 800), background: Sequence[float] = (1.0, 1.0, 1.0)
+    ) -> None:
+        """Show the volume in a window, to be turned by the mouse, until the window is closed.
+
+        Pictures have the last camera from then on.
+
+        Raises RuntimeError if there is no display.
+        """
+        if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+            raise RuntimeError("There is no display for a window: use save() or picture().")
+        renderer = vtkRenderer()
+        renderer.SetBackground(*background)
+        renderer.SetActiveCamera(self.renderer.GetActiveCamera())
+        renderer.AddVolume(self)
+        window = vtkRenderWindow()
+        window.SetSize(*size)
+        window.AddRenderer(renderer)
+        window.SetWindowName("vtkTemporalCoherence")
+        interactor = vtkRenderWindowInteractor()
+        interactor.SetRenderWindow(window)
+        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+        refiner = vtkTemporalCoherenceRefiner()
+        refiner.SetInteractor(interactor)
+        interactor.Initialize()
+        window.Render()
+        interactor.Start()
+        refiner.SetInteractor(None)
+        window.Finalize()
+        interactor.TerminateApp()
+
+    def _repr_png_(self) -> bytes:
+        return self.picture()._repr_png_()
+
+
+def _view(view: Any) -> tuple[Sequence[float], Sequence[float]]:
+    if isinstance(view, str):
+        if view not in _VIEWS:
+            raise ValueError(f"There is no view {view!r}, only {', '.join(_VIEWS)}.")
+        return _VIEWS[view]
+    try:
+        x, y, z = (float(part) for part in view)
+    except (TypeError, ValueError):
+        x, y, z = 0.0, 0.0, 0.0
+    largest = max(abs(x), abs(y), abs(z))
+    if not 0.0 < largest < float("inf"):
+        raise ValueError(
+            f"A view must be one of {', '.join(_VIEWS)}, or three numbers that are not all 0, not "
+            f"{view!r}.")
+    direction = (x / largest, y / largest, z / largest)
+    is_along_z = direction[0] == direction[1] == 0.0
+    return direction, (0.0, 1.0, 0.0) if is_along_z else (0.0, 0.0, 1.0)

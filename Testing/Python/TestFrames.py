@@ -308,7 +308,7 @@ class Png(unittest.TestCase):
             write_png(io.BytesIO(), None)
         with self.assertRaisesRegex(ValueError, "has no pixels"):
             write_png(io.BytesIO(), self.color[:0])
-        for wrong in ("red", (1.0, 1.0), (5.0, 0.0, 0.0), 1.0, None):
+        for wrong in ("red", (1.0, 1.0), (5.0, 0.0, 0.0), 1.0):
             with self.assertRaisesRegex(ValueError, "three numbers from 0 to 1"):
                 write_png(io.BytesIO(), self.color, background=wrong)
 

@@ -9,6 +9,7 @@ import pathlib
 import re
 import tempfile
 import unittest
+import warnings
 
 import numpy
 import vtkTemporalCoherence
@@ -164,6 +165,10 @@ class Pictures(unittest.TestCase):
         self.assertEqual(
             mapper.GetStatistics().GetRoute(), vtkTemporalCoherenceVolumeMapper.ROUTE_REDISPLAY)
 
+    def test_warnings(self):
+        with self.assertWarnsRegex(UserWarning, "^Isovalue 99 separates no samples.*set an isovalue"):
+            isosurface(distances(), 99.0).picture((20, 20))
+
     def test_no_display(self):
         self.assertNotIn("DISPLAY", os.environ)
         with self.assertRaisesRegex(RuntimeError, "no display"):
@@ -268,7 +273,9 @@ class Blended(unittest.TestCase):
         for array in (numpy.full((5, 5, 5), 7.0), numpy.full((5, 5, 5), math.nan),
                       numpy.where(ramp() > 30.0, math.inf, 1.0)):
             for make in (composite, maximum):
-                make(array).picture((16, 16))
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")  # some of them show nothing
+                    make(array).picture((16, 16))
 
     def test_mistakes(self):
         for arguments, text in (

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import operator
 import os
+import warnings
 from typing import BinaryIO, Iterable, NamedTuple, Sequence
 
 try:
@@ -125,9 +126,9 @@ def planes(
     _check_mapper(mapper)
     names = set(_checked_names(names))
     frame = vtkImageData()
-    with _Errors(mapper) as errors:
+    with _Told(mapper) as told:
         is_done = mapper.GetLastFrame(frame, sum(_FRAME_ARRAYS[name][0] for name in names))
-    errors.give_up_unless(
+    told.give_up_unless(
         is_done, "The mapper has made no frame yet: call render() or Render() first.")
     return Planes(**{name: _plane(frame, _FRAME_ARRAYS[name][1]) for name in names})
 
@@ -149,7 +150,8 @@ def render(
     for a series of pictures. One that has no camera yet is made to look at the whole volume.
 
     Raises TypeError for what is no volume with such a mapper, ValueError with the mapper's own
-    message if it cannot make the picture, or if there is no such plane.
+    message if it cannot make the picture, or if there is no such plane. The mapper's warnings are
+    UserWarnings of the module warnings.
     """
     if not isinstance(volume, vtkVolume):
         raise TypeError(f"render() draws a vtkVolume, not {type(volume).__name__}.")
@@ -167,12 +169,12 @@ def render(
             f"The size must be two whole numbers (width, height), not {size!r}.") from None
     if max(abs(width), abs(height)) > VTK_INT_MAX:
         raise ValueError(f"A picture of {width} x {height} pixels is too large: ask for fewer.")
-    with _Errors(mapper) as errors:
+    with _Told(mapper) as told:
         renderer = renderer or vtkRenderer()
         if not renderer.IsActiveCameraCreated():
             renderer.ResetCamera(volume.GetBounds())
         is_done = mapper.MakeImage(renderer, volume, width, height, None, None)
-    errors.give_up_unless(is_done, "The picture was stopped before it was complete: call it again.")
+    told.give_up_unless(is_done, "The picture was stopped before it was complete: call it again.")
     return planes(mapper, names)
 
 
@@ -241,23 +243,33 @@ def straight_alpha(color: numpy.ndarray) -> numpy.ndarray:
     return straight
 
 
-class _Errors:
-    """Hears a mapper's errors, which would be printed otherwise, while it is entered."""
+class _Told:
+    """Hears what a mapper says, which would be printed otherwise, while it is entered. Its warnings
+    become those of Python."""
 
     def __init__(self, mapper: vtkTemporalCoherenceVolumeMapper) -> None:
         self._mapper = mapper
+        self._warnings: list[str] = []
 
-    def __enter__(self) -> _Errors:
+    def __enter__(self) -> _Told:
         @calldata_type(VTK_STRING)
-        def hear(mapper, _event, text):
-            # "ERROR: In FILE, line NUMBER", and in the next line "CLASS (ADDRESS): SENTENCE".
-            mapper.last_error = text.partition("): ")[2].strip() or text.strip()
+        def hear_error(mapper, _event, text):
+            mapper.last_error = _sentence(text)
 
-        self._observer = self._mapper.AddObserver("ErrorEvent", hear)
+        @calldata_type(VTK_STRING)
+        def hear_warning(_mapper, _event, text):
+            self._warnings.append(_sentence(text))
+
+        self._observers = (
+            self._mapper.AddObserver("ErrorEvent", hear_error),
+            self._mapper.AddObserver("WarningEvent", hear_warning))
         return self
 
     def __exit__(self, *_) -> None:
-        self._mapper.RemoveObserver(self._observer)
+        for observer in self._observers:
+            self._mapper.RemoveObserver(observer)
+        for warning in self._warnings:
+            warnings.warn(warning, stacklevel=3)
 
     def give_up_unless(self, is_done: bool, otherwise: str) -> None:
         """Raise the mapper's error, or else the given sentence, where something is not done."""
@@ -266,6 +278,11 @@ class _Errors:
         else:
             # A mistake that is repeated is told once, so the sentence may be from an earlier call.
             raise ValueError(getattr(self._mapper, "last_error", None) or otherwise)
+
+
+def _sentence(text: str) -> str:
+    """What is said by "ERROR: In FILE, line NUMBER", and in the next line "CLASS (ADDRESS): SENTENCE"."""
+    return text.partition("): ")[2].strip() or text.strip()
 
 
 def _check_mapper(mapper) -> None:

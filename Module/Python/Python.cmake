@@ -131,6 +131,18 @@ install(
   DESTINATION "${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}/vtkTemporalCoherence"
   COMPONENT python)
 
+# What importlib.metadata and pip know of it; wheels have their own.
+if (NOT DEFINED SKBUILD)
+  set(python_metadata "vtkTemporalCoherence-${PROJECT_VERSION}.dist-info")
+  file(WRITE "${python_build_directory}/${python_metadata}/METADATA"
+    "Metadata-Version: 2.1\nName: vtkTemporalCoherence\nVersion: ${PROJECT_VERSION}\n"
+    "Summary: Isosurfaces of volumes in VTK, ray cast on the CPU\nLicense: BSD-3-Clause\n")
+  install(
+    DIRECTORY "${python_build_directory}/${python_metadata}"
+    DESTINATION "${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}"
+    COMPONENT python)
+endif ()
+
 # Types of the wrapped classes, for editors and checkers, by VTK's own generator. Debian has it since
 # VTK 9.3.
 execute_process(

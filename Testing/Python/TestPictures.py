@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures in one line: they are those of the long way, and mistakes are sentences."""
 
+import importlib.metadata
 import io
 import math
 import os
@@ -317,6 +318,7 @@ class Pages(unittest.TestCase):
         project = (REPOSITORY / "CMakeLists.txt").read_text(encoding="utf-8")
         version = re.search(r"VERSION (\d+\.\d+\.\d+)", project)[1]
         self.assertEqual(vtkTemporalCoherence.__version__, version)
+        self.assertEqual(importlib.metadata.version("vtkTemporalCoherence"), version)
 
 
 if __name__ == "__main__":

@@ -166,6 +166,37 @@ class Pictures(unittest.TestCase):
         self.assertEqual(
             mapper.GetStatistics().GetRoute(), vtkTemporalCoherenceVolumeMapper.ROUTE_REDISPLAY)
 
+    def test_nothing_is_cut(self):
+        volume = isosurface(distances(), VALUE, **PLACE)
+        near = (volume.picture((64, 64)).color[..., 3] > 0).sum()
+        for factor, least in ((3.0, 3.0 * near), (1.0 / 15.0, 10)):
+            volume.renderer.GetActiveCamera().Dolly(factor)
+            self.assertGreater((volume.picture((64, 64)).color[..., 3] > 0).sum(), least)
+        wide = isosurface(distances(), 0.05, **PLACE)
+        wide.look_from("xy")
+        for size in ((40, 160), (160, 40)):
+            alpha = wide.picture(size).color[..., 3]
+            self.assertTrue(alpha.any())
+            self.assertFalse(
+                alpha[0].any() or alpha[-1].any() or alpha[:, 0].any() or alpha[:, -1].any(), size)
+
+    def test_nearly_along_z(self):
+        volume = isosurface(distances((0.5, 0.0, 0.0)), 0.7, **PLACE)
+        volume.look_from((0.001, 0.0, 1.0))
+        x = numpy.nonzero(volume.picture((64, 64)).color[..., 3])[1]
+        self.assertGreater(x.mean(), 36.0, "y is up, as seen along z")
+
+    def test_numbers_that_are_written(self):
+        array = distances()
+        volume = isosurface(array, VALUE, **PLACE)
+        before = volume.picture((40, 40)).color
+        array[:] = distances((0.3, 0.0, 0.0))
+        volume.data_changed()
+        after = volume.picture((40, 40)).color
+        self.assertFalse(numpy.array_equal(before, after))
+        anew = isosurface(array, VALUE, **PLACE).picture((40, 40)).color
+        self.assertTrue(numpy.array_equal(after, anew))
+
     def test_warnings(self):
         with self.assertWarnsRegex(UserWarning, "^Isovalue 99 separates no samples.*set an isovalue"):
             isosurface(distances(), 99.0).picture((20, 20))
@@ -209,6 +240,11 @@ class Data(unittest.TestCase):
                 (numpy.zeros((3, 3)), ValueError, "shape"),
                 (numpy.zeros((3, 3, 3), complex), TypeError, "real numbers"),
                 (numpy.ma.masked_array(cube), TypeError, "masked"),
+                (cube[:1], ValueError, "two samples or more"),
+                (LabeledArray(cube[:, :0], z=axis, y=axis[:0], x=axis), ValueError, "with samples"),
+                (LabeledArray(cube[0], y=axis, x=axis), ValueError, "three dimensions"),
+                (LabeledArray(cube, z=axis.astype("M8[s]"), y=axis, x=axis), ValueError, "numbers"),
+                (LabeledArray(cube, z=numpy.zeros((9, 9)), y=axis, x=axis), ValueError, "numbers"),
                 (LabeledArray(numpy.zeros((2, 9, 9, 9)), t=axis[:2], z=axis, y=axis, x=axis),
                  ValueError, "three dimensions"),
                 (LabeledArray(cube, z=axis[::-1] ** 2 % 5, y=axis, x=axis), ValueError, "sortby"),
@@ -216,6 +252,18 @@ class Data(unittest.TestCase):
             for make in (lambda data: isosurface(data, 0.5), composite, maximum):
                 with self.assertRaisesRegex(error, text):
                     make(data)
+
+    def test_what_only_looks_like_a_labeled_array(self):
+        class Dataset:  # such as those of h5py
+            dims, shape = ("", "", ""), distances().shape
+
+            def __array__(self, dtype=None, copy=None):
+                return distances()
+
+        volume = isosurface(Dataset(), VALUE, **PLACE)
+        expected = isosurface(distances(), VALUE, **PLACE)
+        self.assertTrue(numpy.array_equal(
+            volume.picture((30, 30)).color, expected.picture((30, 30)).color))
 
     def test_places_of_arrays(self):
         for make in (lambda **place: isosurface(ramp(), 40.0, **place),
@@ -246,6 +294,24 @@ class Blended(unittest.TestCase):
         darker = maximum(array, window=400, level=200)
         darker.look_from("xy")
         self.assertLess(abs(int(darker.picture((101, 101)).color[50, 50, 0]) - 127), 4)
+
+    def test_values_at_the_ends(self):
+        ball = distances() > VALUE
+        for data in (ball, 255 * ball.astype(numpy.uint8), 1e20 * ball):
+            middle = maximum(data, **PLACE).picture((32, 32)).color[16, 16]
+            self.assertEqual(tuple(middle), (255, 255, 255, 255))
+            self.assertGreater(composite(data, **PLACE).picture((32, 32)).color[16, 16, 3], 200)
+        for value in (0.0, 7.0, -3.0, 1e20):
+            constant = numpy.full((5, 5, 5), value)
+            self.assertEqual(tuple(maximum(constant).picture((32, 32)).color[16, 16]), (0, 0, 0, 255))
+        # Rows as long as a step between every so many samples.
+        long = numpy.zeros((1000, 1000, 8), numpy.uint8)
+        long[300:700, 300:700, 2:6] = 100
+        volume = maximum(long)
+        volume.look_from("yz")
+        picture = volume.picture((32, 32))
+        self.assertEqual(tuple(picture.color[16, 16]), (255, 255, 255, 255))
+        self.assertLess(picture.color[3, 16, 0], 10)
 
     def test_presets_and_shift(self):
         hounsfield = numpy.where(distances() > VALUE, 700.0, -1000.0).astype(numpy.float32)
@@ -280,7 +346,7 @@ class Blended(unittest.TestCase):
 
     def test_mistakes(self):
         for arguments, text in (
-                ({"preset": "bone"}, "ct bone"), ({"scalars": "pressure"}, "choose of"),
+                ({"preset": "bone"}, "only ct bone"), ({"scalars": "pressure"}, "choose of"),
                 ({"opacity": 0.0}, "opacity"), ({"opacity": "much"}, "opacity"),
                 ({"shift": math.inf}, "shift")):
             with self.assertRaisesRegex(ValueError, text):
@@ -291,6 +357,8 @@ class Blended(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, text):
                 maximum(ramp(), **arguments)
         for make in (composite, maximum):
+            with self.assertRaisesRegex(TypeError, "name of an array, not ndarray"):
+                make(ramp(), scalars=ramp())
             with self.assertRaisesRegex(TypeError, "vtkResampleToImage"):
                 make(vtkUnstructuredGrid())
             with self.assertRaisesRegex(ValueError, "components"):

@@ -15,8 +15,8 @@ from .given_data import data_object
 from .pictures import PicturedVolume
 from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
 
-#: Looks by name: nodes of value, colour and opacity. Values are Hounsfield units. The opacity is that
-#: of a millimetre in the middle of a sample's edge.
+#: Looks by name: nodes of value, colour and opacity. Values are Hounsfield units. Opacities are those
+#: of a step between samples.
 PRESETS = {
     "ct bone": (
         (150, (0.55, 0.25, 0.15), 0.0), (300, (0.90, 0.75, 0.55), 0.35),
@@ -34,9 +34,9 @@ PRESETS = {
 _PLAIN = ((0.25, (0.45, 0.20, 0.12), 0.0), (0.45, (0.85, 0.55, 0.40), 0.06),
           (0.70, (0.95, 0.80, 0.60), 0.25), (1.0, (1.00, 0.97, 0.92), 0.70))
 
-#: How many of a hundred samples are darker, and not lighter, than "most values". Maxima lie among
-#: the lightest ones.
-_DARKER, _NOT_LIGHTER, _NOT_LIGHTER_MAXIMA = 1.0, 99.5, 99.95
+#: Percentiles of the samples at the ends of the look without a preset, and of maxima, which lie among
+#: the largest samples.
+_ENDS, _ENDS_OF_MAXIMA = (1.0, 99.5), (1.0, 99.95)
 
 
 class BlendedVolume(PicturedVolume):
@@ -72,13 +72,15 @@ def composite(
 
     Raises TypeError for data of another kind, ValueError for other mistakes.
     """
+    if not (preset is None or isinstance(preset, str)):
+        raise TypeError(f"A preset is a name, not {type(preset).__name__}: {', '.join(PRESETS)}.")
     if preset is not None and preset not in PRESETS:
         raise ValueError(f"There is no preset {preset!r}, only {', '.join(PRESETS)}.")
     if not 0.0 < _number("opacity", opacity) < math.inf:
         raise ValueError(f"The opacity must be a finite factor above 0, not {opacity!r}.")
     shift = _number("shift", shift)
     volume, samples = _volume(data, scalars, spacing, origin)
-    low, high = _most_values(samples) if preset is None else (0.0, 1.0)
+    low, high = _ends(samples, _ENDS, leaves_out_least=True) if preset is None else (0.0, 1.0)
     colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
     for place, color, share in _PLAIN if preset is None else PRESETS[preset]:
         value = low + place * (high - low) + shift
@@ -111,12 +113,14 @@ def maximum(
 
     Raises TypeError for data of another kind, ValueError for other mistakes.
     """
-    volume, samples = _volume(data, scalars, spacing, origin)
-    low, high = _most_values(samples, _NOT_LIGHTER_MAXIMA)
-    window = high - low if window is None else _number("window", window)
-    level = 0.5 * (low + high) if level is None else _number("level", level)
-    if not window > 0.0:
+    if window is not None and not _number("window", window) > 0.0:
         raise ValueError(f"The window must be larger than 0, not {window!r}.")
+    level = level if level is None else _number("level", level)
+    volume, samples = _volume(data, scalars, spacing, origin)
+    if window is None or level is None:
+        low, high = _ends(samples, _ENDS_OF_MAXIMA, leaves_out_least=False)
+        window = high - low if window is None else float(window)
+        level = 0.5 * (low + high) if level is None else level
     low, high = level - 0.5 * window, level + 0.5 * window
     colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
     for value, grey in ((low, 0.0), (high, 1.0)):
@@ -150,10 +154,10 @@ def _volume(
             f"Values are blended in images and rectilinear grids, not in {type(data).__name__}: "
             f"resample it (vtkResampleToImage, or sample() of PyVista), or draw isosurface().")
     name = _name_of(data, scalars)
-    samples = data.GetPointData().GetArray(name) if name else data.GetPointData().GetScalars()
-    if samples.GetNumberOfComponents() > 1:
+    array = data.GetPointData().GetArray(name) if name else data.GetPointData().GetScalars()
+    if array.GetNumberOfComponents() > 1:
         raise ValueError(
-            f"The array {name or 'of scalars'!r} has {samples.GetNumberOfComponents()} components: "
+            f"The array {name or 'without a name'!r} has {array.GetNumberOfComponents()} components: "
             f"give an array of one.")
     mapper = vtkTemporalCoherenceVolumeMapper()
     mapper.SetInputDataObject(data)
@@ -165,7 +169,7 @@ def _volume(
     look = volume.GetProperty()
     look.SetInterpolationTypeToLinear()
     look.SetScalarOpacityUnitDistance(_unit_distance(data))
-    return volume, vtk_to_numpy(samples)
+    return volume, vtk_to_numpy(array)
 
 
 def _name_of(data: vtkDataObject, scalars: str | None) -> str | None:
@@ -173,6 +177,10 @@ def _name_of(data: vtkDataObject, scalars: str | None) -> str | None:
     names = [points.GetArrayName(i) for i in range(points.GetNumberOfArrays())
              if points.GetArray(i) is not None]
     if scalars is not None:
+        if not isinstance(scalars, str):
+            raise TypeError(
+                f"scalars must be the name of an array, not {type(scalars).__name__}: add the array to "
+                f"the data, or give it instead of the data.")
         if scalars not in names:
             raise ValueError(
                 f"There is no array {scalars!r} at the points: choose of "
@@ -182,26 +190,38 @@ def _name_of(data: vtkDataObject, scalars: str | None) -> str | None:
         return points.GetScalars().GetName()
     named = [name for name in names if name]
     if not named:
-        raise ValueError("The grid has no array of numbers at its points: add one.")
+        raise ValueError(
+            "The grid has no array of numbers at its points: add one, or make one of cells by "
+            "vtkCellDataToPointData (cell_data_to_point_data() of PyVista).")
     return named[0]
 
 
 def _unit_distance(data: vtkDataObject) -> float:
-    """The mean distance of samples: opacities are those of one step between samples."""
+    """The mean distance of samples: opacities are those of a step between samples."""
+    if isinstance(data, vtkImageData):
+        return sum(data.GetSpacing()) / 3.0
     bounds, dimensions = data.GetBounds(), data.GetDimensions()
-    steps = [(bounds[2 * axis + 1] - bounds[2 * axis]) / (dimensions[axis] - 1)
-             for axis in range(3) if dimensions[axis] > 1]
-    return sum(steps) / len(steps) if steps and sum(steps) > 0.0 else 1.0
+    return sum((bounds[2 * axis + 1] - bounds[2 * axis]) / (dimensions[axis] - 1)
+               for axis in range(3)) / 3.0
 
 
-def _most_values(samples: Any, not_lighter: float = _NOT_LIGHTER) -> tuple[float, float]:
-    """Between which values most samples lie that are not the commonest one, as in air."""
+def _ends(
+    samples: Any, percentiles: tuple[float, float], leaves_out_least: bool
+) -> tuple[float, float]:
+    """The values of two percentiles, in order.
+
+    leaves_out_least  samples of the least value do not count, as it is that of air or nothing
+    """
     import numpy
     most = 1_000_000
-    some = samples[::max(len(samples) // most, 1)]
-    some = some[numpy.isfinite(some)].astype(float)
-    if not some.size:
+    if len(samples) > most:  # the same ones each time
+        samples = samples[numpy.random.default_rng(0).integers(0, len(samples), most)]
+    finite = samples[numpy.isfinite(samples)].astype(float)
+    if not finite.size:
         return 0.0, 1.0
-    inside = some[some > some.min()]
-    low, high = numpy.percentile(inside if inside.size else some, (_DARKER, not_lighter))
-    return (float(low), float(high)) if high > low else (float(low) - 0.5, float(low) + 0.5)
+    least, largest = float(finite.min()), float(finite.max())
+    inside = finite[finite > least] if leaves_out_least and largest > least else finite
+    low, high = (float(end) for end in numpy.percentile(inside, percentiles))
+    if not high > low:
+        low, high = least, largest
+    return (low, high) if high > low else (low, low + max(abs(low), 1.0))

@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import Any, Sequence
 
 from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkPolyData, vtkRectilinearGrid)
+    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkImageData, vtkPolyData, vtkRectilinearGrid)
 
 #: Distances of coordinates may differ by this share and still count as equal.
 _TOLERANCE = 1e-5
@@ -27,24 +27,32 @@ def data_object(
     """
     if isinstance(data, vtkPolyData):
         raise TypeError(
-            "A surface of polygons has no isosurfaces: give the grid that it was made of, or draw "
-            "it with add_mesh().")
+            "A surface of polygons is no volume: give the grid that it was made of, or draw it with "
+            "add_mesh().")
     is_array = _is_array(data)
-    has_place = not is_array or hasattr(data, "dims")
+    has_place = not is_array or (hasattr(data, "dims") and hasattr(data, "coords"))
     if has_place and (spacing is not None or origin is not None):
         raise ValueError("Spacing and origin are those of the data: give them for plain arrays only.")
     if isinstance(data, (vtkDataSet, vtkCompositeDataSet)):
-        return data
-    if not is_array:
+        made = data
+    elif not is_array:
         raise TypeError(
             f"The data must be a data set of PyVista or VTK or an array of three dimensions, not "
-            f"{type(data).__name__}: of a filter give its output.")
-    if has_place:
-        return _of_coordinates(data)
-    from .numpy_support import numpy_to_image
-    return numpy_to_image(
-        _as_numpy(data), (1.0, 1.0, 1.0) if spacing is None else _three("spacing", spacing, True),
-        (0.0, 0.0, 0.0) if origin is None else _three("origin", origin, False))
+            f"{type(data).__name__}: of lists make an array by numpy.asarray(), of a filter give its "
+            f"output.")
+    elif has_place:
+        made = _of_coordinates(data)
+    else:
+        from .numpy_support import numpy_to_image
+        made = numpy_to_image(
+            _as_numpy(data),
+            (1.0, 1.0, 1.0) if spacing is None else _three("spacing", spacing, True),
+            (0.0, 0.0, 0.0) if origin is None else _three("origin", origin, False))
+    if isinstance(made, (vtkImageData, vtkRectilinearGrid)) and 1 in made.GetDimensions():
+        raise ValueError(
+            f"A volume must have two samples or more along each axis, not {made.GetDimensions()} "
+            f"along x, y and z: give several slices.")
+    return made
 
 
 def _is_array(data: Any) -> bool:
@@ -59,7 +67,7 @@ def _as_numpy(data: Any) -> Any:
 
 def _three(what: str, given: Any, is_positive: bool) -> tuple[float, float, float]:
     try:
-        x, y, z = (float(number) for number in given)
+        x, y, z = (float(number) for number in ([] if isinstance(given, str) else given))
     except (TypeError, ValueError):
         raise ValueError(
             f"The {what} must be three numbers, for x, y and z, not {given!r}.") from None
@@ -77,19 +85,19 @@ def _of_coordinates(data: Any) -> vtkDataObject:
     import numpy
     from .numpy_support import data_array, numpy_to_image
 
-    if len(data.dims) != 3:
+    if len(data.dims) != 3 or 0 in data.shape:
         raise ValueError(
-            f"A volume must have three dimensions, not {tuple(data.dims)}: select one step of the "
-            f"others, for example by data.isel({data.dims[0]}=0).")
+            f"A volume must have three dimensions with samples, not {dict(zip(data.dims, data.shape))}: "
+            f"select one step of the others, for example by data.isel(time=0).")
     array, axes = numpy.asarray(data), []
     for axis, name in enumerate(data.dims):
-        try:
-            places = (numpy.asarray(data.coords[name], float) if name in data.coords
-                      else numpy.arange(array.shape[axis], dtype=float))
-        except (TypeError, ValueError):
+        places = (numpy.asarray(data.coords[name]) if name in data.coords
+                  else numpy.arange(array.shape[axis]))
+        if places.dtype.kind not in "iuf" or places.ndim != 1:
             raise ValueError(
-                f"The coordinates {name!r} must be numbers: convert them, or drop them by "
-                f"data.drop_vars({name!r}).") from None
+                f"The coordinates {name!r} must be a list of numbers: convert them, or drop them by "
+                f"data.drop_vars({name!r}).")
+        places = places.astype(float)
         if len(places) > 1 and places[0] > places[-1]:
             array, places = numpy.flip(array, axis), places[::-1]
         if not numpy.all(numpy.isfinite(places)) or not numpy.all(numpy.diff(places) > 0.0):

@@ -140,7 +140,8 @@ def isosurface(
     spacing, origin
                     of a plain array, in the order x, y, z. None: 1 and 0
 
-    The data are not copied. Arrays of cells are averaged at the points. PyVista itself is not needed.
+    Data are not copied, if arrays are such as numpy_to_image() shares. Arrays of cells are averaged
+    at the points. PyVista itself is not needed.
 
     Raises TypeError for what is no grid or of another kind than these, ValueError for other
     mistakes. What the mapper refuses, it says when it draws.
@@ -283,8 +284,8 @@ def _with_array(
     place = next((place for place in places if scalars.shape[:1] == (counts[place],)), None)
     if place is None or scalars.ndim > 2:
         raise ValueError(
-            f"Scalars of the shape {scalars.shape} do not fit the grid: give a number for each of "
-            f"its {counts['point']} points or {counts['cell']} cells.")
+            f"Scalars of the shape {scalars.shape} do not fit the grid: give a flat array with a number "
+            f"for each of its {counts['point']} points or {counts['cell']} cells.")
     copy = grid.NewInstance()
     copy.ShallowCopy(grid)
     name = "isosurface scalars"

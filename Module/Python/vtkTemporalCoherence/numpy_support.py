@@ -162,13 +162,7 @@ def render(
         raise TypeError(
             f"render() takes camera and lights from a vtkRenderer, not "
             f"{type(renderer).__name__}: give one, or None.")
-    try:
-        width, height = (operator.index(pixels) for pixels in size)
-    except (TypeError, ValueError):
-        raise TypeError(
-            f"The size must be two whole numbers (width, height), not {size!r}.") from None
-    if max(abs(width), abs(height)) > VTK_INT_MAX:
-        raise ValueError(f"A picture of {width} x {height} pixels is too large: ask for fewer.")
+    width, height = checked_size(size)
     with _Told(mapper) as told:
         renderer = renderer or vtkRenderer()
         if not renderer.IsActiveCameraCreated():
@@ -221,6 +215,12 @@ def write_png(
 
 def _before(color: numpy.ndarray, background: Sequence[float]) -> numpy.ndarray:
     """The colours of a picture before a background."""
+    behind = (255 - color[..., 3:]) * numpy.asarray(checked_background(background), numpy.float32)
+    return numpy.rint(color[..., :3] + behind).astype(numpy.uint8)
+
+
+def checked_background(background: Sequence[float]) -> Sequence[float]:
+    """For other modules of this package, too."""
     try:
         is_color = all(0.0 <= part <= 1.0 for part in background) and len(background) == 3
     except TypeError:
@@ -229,8 +229,19 @@ def _before(color: numpy.ndarray, background: Sequence[float]) -> numpy.ndarray:
         raise ValueError(
             f"The background must be three numbers from 0 to 1, not {background!r}: give red, "
             f"green and blue.")
-    behind = (255 - color[..., 3:]) * numpy.asarray(background, numpy.float32)
-    return numpy.rint(color[..., :3] + behind).astype(numpy.uint8)
+    return background
+
+
+def checked_size(size: tuple[int, int]) -> tuple[int, int]:
+    """For other modules of this package, too."""
+    try:
+        width, height = (operator.index(pixels) for pixels in size)
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"The size must be two whole numbers (width, height), not {size!r}.") from None
+    if max(abs(width), abs(height)) > VTK_INT_MAX:
+        raise ValueError(f"A picture of {width} x {height} pixels is too large: ask for fewer.")
+    return width, height
 
 
 def straight_alpha(color: numpy.ndarray) -> numpy.ndarray:

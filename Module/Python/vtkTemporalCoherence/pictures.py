@@ -5,11 +5,12 @@
 from __future__ import annotations
 
 import io
+import math
 import os
 import sys
 from typing import TYPE_CHECKING, Any, BinaryIO, Sequence
 
-import vtkmodules.vtkInteractionStyle  # noqa: F401  what the mouse does in windows
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
 
@@ -27,14 +28,17 @@ _VIEWS = {
     "yz": ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)), "zy": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
 }
 
+#: Directions of a smaller part across z count as along z: then y is up.
+_ALONG = 0.05
+
 
 class Picture:
     """A finished picture: arrays whose row 0 is the top row, as Matplotlib and Pillow want them.
 
     color           (height, width, 4) uint8: RGBA, not multiplied by alpha
     depth           (height, width) float32: distance along a pixel's ray in world units; infinity
-                    where nothing is hit
-    normals         (height, width, 3) float32: unit normals in the world; 0 where nothing is hit
+                    where nothing is seen
+    normals         (height, width, 3) float32: unit normals of surfaces in the world; 0 elsewhere
     isovalue_index  (height, width) int32: which isovalue is hit; -1 where none is
     planes          what render() gives: row 0 is the bottom row, and colours are multiplied
 
@@ -79,9 +83,7 @@ class Picture:
         written.
         """
         from .numpy_support import write_png
-        if not hasattr(file, "write") and not os.fspath(file).lower().endswith(".png"):
-            raise ValueError(
-                f"Pictures are written as PNG: give a name that ends in .png, not {file!r}.")
+        _check_suffix(file)
         write_png(file, self.planes.color, background)
 
     def _repr_png_(self) -> bytes:
@@ -110,7 +112,7 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
         """Has the camera and the lights of pictures: change them as you like."""
         if self._renderer is None:
             self._renderer = vtkRenderer()
-            self.look_from("iso")
+            self._look(*_VIEWS["iso"])
         return self._renderer
 
     def look_from(self, view: str | Sequence[float]) -> None:
@@ -122,47 +124,85 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
         Raises ValueError for another view.
         """
         direction, up = _view(view)
-        renderer = self._renderer or self.renderer
-        camera = renderer.GetActiveCamera()
+        self._renderer = self.renderer
+        self._look(direction, up)
+
+    def _look(self, direction: Sequence[float], up: Sequence[float]) -> None:
+        camera = self._renderer.GetActiveCamera()
         camera.SetFocalPoint(0.0, 0.0, 0.0)
         camera.SetPosition(*direction)
         camera.SetViewUp(*up)
-        renderer.ResetCamera(self.GetBounds())
+        self._renderer.ResetCamera(self.GetBounds())
 
     def picture(self, size: tuple[int, int] = (512, 512)) -> Picture:
         """Make a picture, without a window or display. It is final: antialiased, with all light.
 
         size    width and height in pixels
 
-        Raises ValueError with the mapper's own message if it cannot draw the data.
+        The camera's clipping range is set, so that nothing is cut. The view angle is that of the
+        shorter side of the picture.
+
+        Raises TypeError for what is no size, ValueError with the mapper's own message if it cannot
+        draw the data.
         """
-        from .numpy_support import render
-        return Picture(render(self, self.renderer, size))
+        from .numpy_support import checked_size, render
+        width, height = checked_size(size)
+        camera = self.renderer.GetActiveCamera()
+        is_horizontal = camera.GetUseHorizontalViewAngle()
+        camera.SetUseHorizontalViewAngle(width < height)
+        self.renderer.ResetCameraClippingRange(self.GetBounds())
+        try:
+            return Picture(render(self, self.renderer, (width, height)))
+        finally:
+            camera.SetUseHorizontalViewAngle(is_horizontal)
 
     def save(
         self, file: str | os.PathLike | BinaryIO, size: tuple[int, int] = (1024, 1024),
         background: Sequence[float] | None = None,
     ) -> None:
         """Write a picture as PNG: see Picture.save()."""
+        _check_suffix(file)
         self.picture(size).save(file, background)
+
+    def data_changed(self) -> None:
+        """Tell that numbers were written into the array: the next picture shows them."""
+        data = self.GetMapper().GetInputDataObject(0, 0)
+        blocks = [data]
+        if isinstance(data, vtkCompositeDataSet):
+            iterator, blocks = data.NewIterator(), []
+            while not iterator.IsDoneWithTraversal():
+                blocks.append(iterator.GetCurrentDataObject())
+                iterator.GoToNextItem()
+        for block in blocks:
+            for attributes in (block.GetPointData(), block.GetCellData()):
+                for index in range(attributes.GetNumberOfArrays()):
+                    attributes.GetAbstractArray(index).Modified()
 
     def show(
         self, size: tuple[int, int] = (800, 800), background: Sequence[float] = (1.0, 1.0, 1.0)
     ) -> None:
         """Show the volume in a window, to be turned by the mouse, until the window is closed.
 
-        Pictures have the last camera from then on.
+        size        width and height in pixels
+        background  red, green and blue, 0 to 1
 
-        Raises RuntimeError if there is no display.
+        Pictures have the window's last camera from then on.
+
+        Raises RuntimeError if no display is set, TypeError and ValueError for other arguments.
         """
+        from .numpy_support import checked_background, checked_size
+        width, height = checked_size(size)
+        background = checked_background(background)
         if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
             raise RuntimeError("There is no display for a window: use save() or picture().")
         renderer = vtkRenderer()
         renderer.SetBackground(*background)
         renderer.SetActiveCamera(self.renderer.GetActiveCamera())
+        for light in self.renderer.GetLights():
+            renderer.AddLight(light)
         renderer.AddVolume(self)
         window = vtkRenderWindow()
-        window.SetSize(*size)
+        window.SetSize(width, height)
         window.AddRenderer(renderer)
         window.SetWindowName("vtkTemporalCoherence")
         interactor = vtkRenderWindowInteractor()
@@ -171,14 +211,19 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
         refiner = vtkTemporalCoherenceRefiner()
         refiner.SetInteractor(interactor)
         interactor.Initialize()
+        renderer.ResetCameraClippingRange()
         window.Render()
         interactor.Start()
         refiner.SetInteractor(None)
         window.Finalize()
-        interactor.TerminateApp()
 
     def _repr_png_(self) -> bytes:
         return self.picture()._repr_png_()
+
+
+def _check_suffix(file: str | os.PathLike | BinaryIO) -> None:
+    if not hasattr(file, "write") and not os.fsdecode(file).lower().endswith(".png"):
+        raise ValueError(f"Pictures are written as PNG: give a name that ends in .png, not {file!r}.")
 
 
 def _view(view: Any) -> tuple[Sequence[float], Sequence[float]]:
@@ -191,10 +236,10 @@ def _view(view: Any) -> tuple[Sequence[float], Sequence[float]]:
     except (TypeError, ValueError):
         x, y, z = 0.0, 0.0, 0.0
     largest = max(abs(x), abs(y), abs(z))
-    if not 0.0 < largest < float("inf"):
+    if not 0.0 < largest < math.inf:
         raise ValueError(
             f"A view must be one of {', '.join(_VIEWS)}, or three numbers that are not all 0, not "
             f"{view!r}.")
     direction = (x / largest, y / largest, z / largest)
-    is_along_z = direction[0] == direction[1] == 0.0
+    is_along_z = math.hypot(direction[0], direction[1]) < _ALONG
     return direction, (0.0, 1.0, 0.0) if is_along_z else (0.0, 0.0, 1.0)

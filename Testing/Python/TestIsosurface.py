@@ -215,7 +215,7 @@ class Mistakes(unittest.TestCase):
         for error, sentence, arguments, look in (
                 (TypeError, "not list", ([[[1.0, 2.0]]], 1), {}),
                 (TypeError, "not vtkTable", (vtkTable(), 1), {}),
-                (TypeError, "of polygons has no isosurfaces", (vtkPolyData(), 1), {}),
+                (TypeError, "of polygons is no volume", (vtkPolyData(), 1), {}),
                 (ValueError, "no array of numbers", (vtkImageData(), 1), {}),
                 (ValueError, "no array 'x': choose of scalars", (image, 1, "x"), {}),
                 (ValueError, "do not fit the grid", (image, 1, [1.0, 2.0]), {}),

@@ -201,6 +201,10 @@ class Pictures(unittest.TestCase):
         with self.assertWarnsRegex(UserWarning, "^Isovalue 99 separates no samples.*set an isovalue"):
             isosurface(distances(), 99.0).picture((20, 20))
 
+    def test_repr(self):
+        self.assertEqual(
+            repr(isosurface(ramp(), 40.0)), "<IsosurfaceVolume from (0, 0, 0) to (14, 11, 8)>")
+
     def test_no_display(self):
         self.assertNotIn("DISPLAY", os.environ)
         with self.assertRaisesRegex(RuntimeError, "no display"):

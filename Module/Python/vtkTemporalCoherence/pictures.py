@@ -220,6 +220,11 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
     def _repr_png_(self) -> bytes:
         return self.picture()._repr_png_()
 
+    def __repr__(self) -> str:
+        low = ", ".join(f"{end:g}" for end in self.GetBounds()[::2])
+        high = ", ".join(f"{end:g}" for end in self.GetBounds()[1::2])
+        return f"<{type(self).__name__} from ({low}) to ({high})>"
+
 
 def _check_suffix(file: str | os.PathLike | BinaryIO) -> None:
     if not hasattr(file, "write") and not os.fsdecode(file).lower().endswith(".png"):

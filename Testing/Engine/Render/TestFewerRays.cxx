@@ -145,6 +145,19 @@ TEST_P(FewerRaysTest, EndAsTheColdFrame)
   this->ExpectRefined(3.0, 9, "clipped");
 }
 
+TEST_P(FewerRaysTest, NothingToSeeNeedsNoRays)
+{
+  if (!this->Key.IsBlended())
+  {
+    this->Key.EditIsosurfaces().Isovalues.clear();
+    this->Renderer.Render(this->Key, Fewer(4.0, 9));
+    EXPECT_EQ(this->Renderer.Statistics().Made, Route::Cold);
+  }
+  this->Key.Samples.Dimensions.z = 0;
+  this->Renderer.Render(this->Key, Fewer(4.0, 9));
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::Cold);
+}
+
 TEST_P(FewerRaysTest, AllTilesMakeTheColdFrameAtOnce)
 {
   this->Renderer.Render(this->Key, Fewer(4.0, std::numeric_limits<std::int64_t>::max()));

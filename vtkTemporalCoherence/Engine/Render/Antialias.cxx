@@ -204,9 +204,7 @@ private:
 bool Antialias(FrameTask& task, SurfaceLight* light, Frame& picture)
 {
   ColorPlane shown = picture.Colors;
-  const bool isAnythingShown = task.Key.Samples.HasCells() &&
-    (task.Key.IsBlended() || !task.Key.Isosurfaces().Isovalues.empty());
-  if (!isAnythingShown)
+  if (!MayShowAnything(task.Key))
   {
     picture.Antialiased.swap(shown);
     return true;

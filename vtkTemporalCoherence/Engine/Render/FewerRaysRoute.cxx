@@ -171,8 +171,9 @@ bool HaveSamePlanes(const Frame& a, const Frame& b)
 bool CanHaveFewerRays(const FrameKey& key, const FrameOptions& options)
 {
   const glm::ivec2 rays = RaysFor(key.View.Size, options.Fewer.Distance);
-  return options.Fewer.AreAsked() && options.Accuracy == ReuseAccuracy::Exact &&
-    !key.Appearance.HasMutualLight() && !key.Appearance.ColorByAnswer && rays.x > 1 && rays.y > 1;
+  return MayShowAnything(key) && options.Fewer.AreAsked() &&
+    options.Accuracy == ReuseAccuracy::Exact && !key.Appearance.HasMutualLight() &&
+    !key.Appearance.ColorByAnswer && rays.x > 1 && rays.y > 1;
 }
 
 bool TraceFewerRays(FrameTask& task, FrameStore& grid)

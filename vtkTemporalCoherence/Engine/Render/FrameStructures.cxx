@@ -9,20 +9,15 @@
 
 namespace TemporalCoherence
 {
-namespace
-{
 
-/// True if a key may show anything of its field.
-bool IsSeen(const FrameKey& key)
+bool MayShowAnything(const FrameKey& key)
 {
   return key.Samples.HasCells() && (key.IsBlended() || !key.Isosurfaces().Isovalues.empty());
 }
 
-}
-
 bool FrameStructures::NeedsRanges(const FrameKey& key) const
 {
-  return IsSeen(key) && !(this->OfData->Samples == key.Samples);
+  return MayShowAnything(key) && !(this->OfData->Samples == key.Samples);
 }
 
 void FrameStructures::PrepareRanges(const FrameKey& key)
@@ -39,7 +34,7 @@ void FrameStructures::PrepareRanges(const FrameKey& key)
 
 void FrameStructures::PrepareActiveCells(const FrameKey& key)
 {
-  if (!IsSeen(key))
+  if (!MayShowAnything(key))
   {
     return;
   }
@@ -55,7 +50,7 @@ void FrameStructures::PrepareActiveCells(const FrameKey& key)
 bool FrameStructures::PrepareVisibleCells(const FrameKey& key)
 {
   const std::optional<std::vector<std::vector<ValueBand>>> bands = VisibleComponents(key.Blended());
-  if (!IsSeen(key) || !bands)
+  if (!MayShowAnything(key) || !bands)
   {
     return false;
   }
@@ -108,7 +103,7 @@ void FrameStructures::PrepareBounds(const FrameKey& key, const ActiveCells& cell
 std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key) const
 {
   std::shared_ptr<const FieldRanges> ranges = this->OfData;
-  if (IsSeen(key) && !(ranges->Samples == key.Samples))
+  if (MayShowAnything(key) && !(ranges->Samples == key.Samples))
   {
     this->Shared->Provide(key.Samples, ranges);
   }

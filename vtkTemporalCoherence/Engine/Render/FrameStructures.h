@@ -15,6 +15,9 @@
 namespace TemporalCoherence
 {
 
+/// True if a key may show anything of its field. Of others nothing is prepared.
+bool MayShowAnything(const FrameKey& key);
+
 /// The structures that bound where surfaces can be. Each is rebuilt only when its input changes:
 /// value ranges with the data, active cells with data and isovalues, tile bounds with cells and
 /// view.

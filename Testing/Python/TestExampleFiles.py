@@ -21,10 +21,7 @@ class Volumes(Example):
 
     def test_formats(self):
         image = image_of(distances())
-        writer = vtkXMLImageDataWriter()
-        writer.SetInputData(image)
-        writer.SetFileName(str(self.folder / "sphere.vti"))
-        writer.Write()
+        self.write(vtkXMLImageDataWriter(), image, "sphere.vti")
         self.run_well("render_server.py", "sphere.vti", "--isovalue", 0.5, "--azimuth", 0)
         array = self.save_sphere()
         self.run_well(
@@ -42,10 +39,7 @@ class Volumes(Example):
         scalars = image_of(other).GetPointData().GetScalars()
         scalars.SetName("other")
         image.GetPointData().AddArray(scalars)
-        writer = vtkXMLImageDataWriter()
-        writer.SetInputData(image)
-        writer.SetFileName(str(self.folder / "two.vti"))
-        writer.Write()
+        self.write(vtkXMLImageDataWriter(), image, "two.vti")
         self.run_well("render_server.py", "two.vti", "--array", "other", "--isovalue", 50)
         self.assert_refused(
             "'pressure': choose one of scalars, other", "render_server.py", "two.vti", "--array",
@@ -203,10 +197,7 @@ class Headers(Files):
             attributes.AddArray(nothing)
         image.GetPointData().SetActiveScalars("nothing")
         image.GetCellData().RemoveArray("short")
-        writer = vtkXMLImageDataWriter()
-        writer.SetInputData(image)
-        writer.SetFileName(str(self.folder / "a.vti"))
-        writer.Write()
+        self.write(vtkXMLImageDataWriter(), image, "a.vti")
         self.run_well("render_server.py", "a.vti", "--isovalue", 0.5, "--azimuth", 0)
         pixels = read_png(path=self.folder / "pictures" / "isovalue0.5_azimuth0.png")
         self.assert_shows_sphere(pixels, 0.5)
@@ -218,10 +209,7 @@ class Headers(Files):
         scalars = numpy_to_vtk(distances().ravel(), deep=1)
         scalars.SetName("distance")
         image.GetCellData().AddArray(scalars)
-        writer = vtkXMLImageDataWriter()
-        writer.SetInputData(image)
-        writer.SetFileName(str(self.folder / "a.vti"))
-        writer.Write()
+        self.write(vtkXMLImageDataWriter(), image, "a.vti")
         for arguments in ([], ["--array", "distance"]):
             self.run_well("render_server.py", "a.vti", "--isovalue", 0.5, "--azimuth", 0, *arguments)
             pixels = read_png(path=self.folder / "pictures" / "isovalue0.5_azimuth0.png")

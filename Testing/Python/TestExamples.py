@@ -195,10 +195,7 @@ class MeshSweep(Example):
         grid.GetPoints().SetData(numpy_to_vtk(points, deep=1))
         scalars.SetName("distance")
         grid.GetPointData().AddArray(scalars)
-        writer = vtkXMLStructuredGridWriter()
-        writer.SetInputData(grid)
-        writer.SetFileName(str(self.folder / "sphere.vts"))
-        writer.Write()
+        self.write(vtkXMLStructuredGridWriter(), grid, "sphere.vts")
 
     def assert_draws_grid(self):
         self.run_well(
@@ -227,10 +224,7 @@ class MeshSweep(Example):
         grid.SetPoints(points)
         grid.GetPointData().SetScalars(numpy_to_vtk(numpy.arange(27.0), deep=1))
         grid.GetPointData().GetScalars().SetName("number")
-        writer = vtkXMLStructuredGridWriter()
-        writer.SetInputData(grid)
-        writer.SetFileName(str(self.folder / "nowhere.vts"))
-        writer.Write()
+        self.write(vtkXMLStructuredGridWriter(), grid, "nowhere.vts")
         self.assert_refused(r"has the point 13 at \(nan, 1, 1\)", "mesh_sweep.py", "nowhere.vts")
 
     def test_mistakes(self):

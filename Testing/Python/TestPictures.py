@@ -14,10 +14,10 @@ import warnings
 
 import numpy
 import vtkTemporalCoherence
+from example import read_png
 from spheres import STEP, distances, image_of
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkRectilinearGrid, vtkUnstructuredGrid
-from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkCommonDataModel import (
+    vtkMultiBlockDataSet, vtkPolyData, vtkRectilinearGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
 from vtkTemporalCoherence import (
     composite, isosurface, maximum, render, vtkTemporalCoherenceVolumeMapper)
@@ -33,16 +33,9 @@ def ramp():
     return (x + 2.0 * y + 4.0 * z).astype(numpy.float32)
 
 
-def read_png(data):
-    with tempfile.NamedTemporaryFile(suffix=".png") as file:
-        file.write(data)
-        file.flush()
-        reader = vtkPNGReader()
-        reader.SetFileName(file.name)
-        reader.Update()
-    image = reader.GetOutput()
-    width, height, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1]
+def from_top(data):
+    """The pixels of a PNG, row 0 at the top."""
+    return read_png(data)[::-1]
 
 
 class LabeledArray:
@@ -115,14 +108,14 @@ class Pictures(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "sphere.PNG"
             picture.save(path)
-            found = read_png(path.read_bytes())
+            found = from_top(path.read_bytes())
             self.assertTrue(numpy.array_equal(found, picture.color), "transparent")
             picture.save(path, background=(1.0, 1.0, 1.0))
-            white = read_png(path.read_bytes())
+            white = from_top(path.read_bytes())
             self.assertEqual(white.shape, (40, 60, 3))
             self.assertTrue((white[0, 0] == 255).all())
             volume.save(str(path), (30, 20))
-            self.assertEqual(read_png(path.read_bytes()).shape, (20, 30, 4))
+            self.assertEqual(from_top(path.read_bytes()).shape, (20, 30, 4))
             for name in ("sphere.jpg", "sphere", "png"):
                 with self.assertRaisesRegex(ValueError, r"ends in \.png"):
                     picture.save(os.path.join(folder, name))
@@ -136,7 +129,7 @@ class Pictures(unittest.TestCase):
         for volume in (isosurface(ramp(), 40.0), composite(ramp()), maximum(ramp())):
             data = volume._repr_png_()
             self.assertTrue(data.startswith(b"\x89PNG"))
-            self.assertEqual(read_png(data).shape, (512, 512, 4))
+            self.assertEqual(from_top(data).shape, (512, 512, 4))
 
     def test_views(self):
         volume = isosurface(distances((0.5, 0.0, 0.0)), 0.7, **PLACE)
@@ -196,6 +189,13 @@ class Pictures(unittest.TestCase):
         self.assertFalse(numpy.array_equal(before, after))
         anew = isosurface(array, VALUE, **PLACE).picture((40, 40)).color
         self.assertTrue(numpy.array_equal(after, anew))
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, image_of(array))
+        volume = isosurface(blocks, VALUE)
+        volume.picture((40, 40))
+        array[:] = distances()
+        volume.data_changed()
+        self.assertTrue(numpy.array_equal(volume.picture((40, 40)).color, before))
 
     def test_warnings(self):
         with self.assertWarnsRegex(UserWarning, "^Isovalue 99 separates no samples.*set an isovalue"):

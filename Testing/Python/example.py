@@ -29,7 +29,7 @@ def read_png(data=None, path=None):
         reader.SetFileName(str(path))
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
-    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)
 
 
 class Example(unittest.TestCase):
@@ -68,6 +68,11 @@ class Example(unittest.TestCase):
         path = self.folder / "sphere.npy"
         numpy.save(path, distances(centre))
         return path
+
+    def write(self, writer, data, name):
+        writer.SetInputData(data)
+        writer.SetFileName(str(self.folder / name))
+        writer.Write()
 
     def assert_shows_sphere(self, pixels, isovalue):
         """The example's camera sees the volume's own sphere at its view angle of 30 degrees."""

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Any, Iterator, Sequence
 
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkImageData, vtkPolyData, vtkRectilinearGrid)
@@ -53,6 +53,19 @@ def data_object(
             f"A volume must have two samples or more along each axis, not {made.GetDimensions()} "
             f"along x, y and z: give several slices.")
     return made
+
+
+def leaves(grid: vtkDataObject) -> Iterator[vtkDataSet]:
+    """The data sets of blocks, or the one that there is."""
+    if not isinstance(grid, vtkCompositeDataSet):
+        yield grid
+        return
+    iterator = grid.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        if isinstance(iterator.GetCurrentDataObject(), vtkDataSet):
+            yield iterator.GetCurrentDataObject()
+        iterator.GoToNextItem()
 
 
 def _is_array(data: Any) -> bool:

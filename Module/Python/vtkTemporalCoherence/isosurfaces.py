@@ -6,7 +6,7 @@ arguments."""
 from __future__ import annotations
 
 import math
-from typing import Any, Callable, Iterable, Iterator, Sequence
+from typing import Any, Callable, Iterable, Sequence
 
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkScalarsToColors
@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkDataSetAttributes, vtkPiecewiseFunction)
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
-from .given_data import data_object
+from .given_data import data_object, leaves
 from .pictures import PicturedVolume
 from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
 
@@ -202,25 +202,13 @@ def _set_occlusion(
         mapper.SetAmbientOcclusionRadius(radius)
 
 
-def _leaves(grid: vtkDataObject) -> Iterator[vtkDataSet]:
-    if not isinstance(grid, vtkCompositeDataSet):
-        yield grid
-        return
-    iterator = grid.NewIterator()
-    iterator.InitTraversal()
-    while not iterator.IsDoneWithTraversal():
-        if isinstance(iterator.GetCurrentDataObject(), vtkDataSet):
-            yield iterator.GetCurrentDataObject()
-        iterator.GoToNextItem()
-
-
 def _attributes(leaf: vtkDataSet, place: str) -> vtkDataSetAttributes:
     return leaf.GetPointData() if place == "point" else leaf.GetCellData()
 
 
 def _arrays(grid: vtkDataObject, name: str | None, place: str) -> list[vtkDataArray]:
     """The arrays of that name of all blocks; those without a name that are the active scalars."""
-    attributes = (_attributes(leaf, place) for leaf in _leaves(grid))
+    attributes = (_attributes(leaf, place) for leaf in leaves(grid))
     found = (each.GetScalars() if name is None else each.GetArray(name) for each in attributes)
     return [array for array in found if array is not None]
 
@@ -246,7 +234,7 @@ def _chosen_array(
 
 
 def _default_array(grid: vtkDataObject, places: Sequence[str]) -> tuple[str | None, str]:
-    for leaf in _leaves(grid):
+    for leaf in leaves(grid):
         for place in places:
             scalars = _attributes(leaf, place).GetScalars()
             if scalars is not None:
@@ -263,7 +251,7 @@ def _default_array(grid: vtkDataObject, places: Sequence[str]) -> tuple[str | No
 def _names_there_are(grid: vtkDataObject) -> str:
     names = sorted({
         attributes.GetArrayName(index)
-        for leaf in _leaves(grid) for place in ("point", "cell")
+        for leaf in leaves(grid) for place in ("point", "cell")
         for attributes in [_attributes(leaf, place)]
         for index in range(attributes.GetNumberOfArrays()) if attributes.GetArrayName(index)})
     return "choose of " + ", ".join(names) if names else "the grid has no arrays"

@@ -10,10 +10,10 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any, BinaryIO, Sequence
 
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
 
+from .given_data import leaves
 from .vtkTemporalCoherence import vtkTemporalCoherenceRefiner, vtkTemporalCoherenceVolume
 
 if TYPE_CHECKING:  # without NumPy
@@ -112,7 +112,7 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
         """Has the camera and the lights of pictures: change them as you like."""
         if self._renderer is None:
             self._renderer = vtkRenderer()
-            self._look(*_VIEWS["iso"])
+            self._look(self._renderer, "iso")
         return self._renderer
 
     def look_from(self, view: str | Sequence[float]) -> None:
@@ -123,16 +123,15 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
 
         Raises ValueError for another view.
         """
-        direction, up = _view(view)
-        self._renderer = self.renderer
-        self._look(direction, up)
+        self._look(self.renderer, view)
 
-    def _look(self, direction: Sequence[float], up: Sequence[float]) -> None:
-        camera = self._renderer.GetActiveCamera()
+    def _look(self, renderer: vtkRenderer, view: str | Sequence[float]) -> None:
+        direction, up = _view(view)
+        camera = renderer.GetActiveCamera()
         camera.SetFocalPoint(0.0, 0.0, 0.0)
         camera.SetPosition(*direction)
         camera.SetViewUp(*up)
-        self._renderer.ResetCamera(self.GetBounds())
+        renderer.ResetCamera(self.GetBounds())
 
     def picture(self, size: tuple[int, int] = (512, 512)) -> Picture:
         """Make a picture, without a window or display. It is final: antialiased, with all light.
@@ -166,15 +165,8 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
 
     def data_changed(self) -> None:
         """Tell that numbers were written into the array: the next picture shows them."""
-        data = self.GetMapper().GetInputDataObject(0, 0)
-        blocks = [data]
-        if isinstance(data, vtkCompositeDataSet):
-            iterator, blocks = data.NewIterator(), []
-            while not iterator.IsDoneWithTraversal():
-                blocks.append(iterator.GetCurrentDataObject())
-                iterator.GoToNextItem()
-        for block in blocks:
-            for attributes in (block.GetPointData(), block.GetCellData()):
+        for leaf in leaves(self.GetMapper().GetInputDataObject(0, 0)):
+            for attributes in (leaf.GetPointData(), leaf.GetCellData()):
                 for index in range(attributes.GetNumberOfArrays()):
                     attributes.GetAbstractArray(index).Modified()
 

@@ -15,6 +15,7 @@ namespace
 
 /// Rows of tiles per task.
 constexpr std::int64_t RowGrain = 2;
+
 std::size_t PlaceOf(const Frame& frame, int x, int y)
 {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +

@@ -83,6 +83,7 @@ set(contents_of_libvtktemporalcoherence-dev
   include/vtkTemporalCoherence/vtkTemporalCoherenceObjectFactory.h
   include/vtkTemporalCoherence/vtkTemporalCoherencePaperMapper.h
   include/vtkTemporalCoherence/vtkTemporalCoherencePicker.h
+  include/vtkTemporalCoherence/vtkTemporalCoherencePresets.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceRefiner.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceStatistics.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceVolume.h

@@ -13,14 +13,14 @@ from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 from vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
     vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
-    vtkTemporalCoherenceRefiner, vtkTemporalCoherenceStatistics, vtkTemporalCoherenceVolume,
-    vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherencePresets, vtkTemporalCoherenceRefiner, vtkTemporalCoherenceStatistics,
+    vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
 
 CLASSES = (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
     vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
-    vtkTemporalCoherenceRefiner, vtkTemporalCoherenceStatistics, vtkTemporalCoherenceVolume,
-    vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherencePresets, vtkTemporalCoherenceRefiner, vtkTemporalCoherenceStatistics,
+    vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
 
 # Set...To..., the value that Get... returns then, and the constant of that value.
 CHOICES = {

@@ -7,32 +7,16 @@ from __future__ import annotations
 import math
 from typing import Any, Sequence
 
-from vtkmodules.vtkCommonDataModel import (
-    vtkDataObject, vtkImageData, vtkPiecewiseFunction, vtkRectilinearGrid)
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkRectilinearGrid
 
 from .given_data import data_object
 from .pictures import PicturedVolume
-from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
+from .vtkTemporalCoherence import vtkTemporalCoherencePresets, vtkTemporalCoherenceVolumeMapper
 
-#: Looks by name: nodes of value, colour and opacity. Values are Hounsfield units. Opacities are those
-#: of a step between samples.
-PRESETS = {
-    "ct bone": (
-        (150, (0.55, 0.25, 0.15), 0.0), (300, (0.90, 0.75, 0.55), 0.35),
-        (700, (1.00, 0.95, 0.85), 0.70), (1500, (1.00, 1.00, 0.95), 0.85)),
-    "ct soft tissue": (
-        (-200, (0.55, 0.25, 0.15), 0.0), (-50, (0.85, 0.60, 0.45), 0.05),
-        (60, (0.80, 0.35, 0.25), 0.15), (150, (0.90, 0.70, 0.55), 0.30),
-        (400, (1.00, 0.95, 0.85), 0.70)),
-    "ct vessels": (
-        (120, (0.45, 0.05, 0.05), 0.0), (200, (0.80, 0.15, 0.10), 0.35),
-        (350, (0.95, 0.55, 0.35), 0.60), (700, (1.00, 0.95, 0.85), 0.80)),
-}
-
-#: The look without a preset: shares of the range of most values, colours and opacities.
-_PLAIN = ((0.25, (0.45, 0.20, 0.12), 0.0), (0.45, (0.85, 0.55, 0.40), 0.06),
-          (0.70, (0.95, 0.80, 0.60), 0.25), (1.0, (1.00, 0.97, 0.92), 0.70))
+#: Names of looks: those of Hounsfield units, and the one that suits data of any unit.
+PRESETS = tuple(vtkTemporalCoherencePresets.GetPresetName(index)
+                for index in range(vtkTemporalCoherencePresets.GetNumberOfPresets()))
+_PLAIN = "mr"
 
 #: Percentiles of the samples at the ends of the look without a preset, and of maxima, which lie among
 #: the largest samples.
@@ -62,8 +46,8 @@ def composite(
         composite(array, "ct bone", spacing=(0.5, 0.5, 1.0)).save("bone.png")
 
     data             an image, rectilinear grid or array: see isosurface()
-    preset           "ct bone", "ct soft tissue" or "ct vessels", for values in Hounsfield units. None:
-                     rarer, larger values are more opaque, whatever their unit
+    preset           "ct bone", "ct soft tissue" or "ct vessels", for values in Hounsfield units; "mr",
+                     which is None, too: rarer, larger values are more opaque, whatever their unit
     scalars          name of the array at the points. None: the active scalars, or else the first one
     shift            added to the values of the preset, in their unit
     opacity          factor of all opacities, above 0
@@ -80,15 +64,17 @@ def composite(
         raise ValueError(f"The opacity must be a finite factor above 0, not {opacity!r}.")
     shift = _number("shift", shift)
     volume, samples = _volume(data, scalars, spacing, origin)
-    low, high = _ends(samples, _ENDS, leaves_out_least=True) if preset is None else (0.0, 1.0)
-    colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
-    for place, color, share in _PLAIN if preset is None else PRESETS[preset]:
-        value = low + place * (high - low) + shift
-        colors.AddRGBPoint(value, *color)
-        opacities.AddPoint(value, 1.0 - (1.0 - share) ** opacity)
+    name = preset or _PLAIN
+    low, high = 0.0, 1.0
+    if not vtkTemporalCoherencePresets.GetPresetIsInHounsfieldUnits(name):
+        low, high = _ends(samples, _ENDS, leaves_out_least=True)
     look = volume.GetProperty()
-    look.SetColor(colors)
-    look.SetScalarOpacity(opacities)
+    vtkTemporalCoherencePresets.Apply(name, look, low + shift, high - low)
+    opacities, node = look.GetScalarOpacity(), [0.0] * 4
+    for index in range(opacities.GetSize()):
+        opacities.GetNodeValue(index, node)
+        node[1] = 1.0 - (1.0 - node[1]) ** opacity
+        opacities.SetNodeValue(index, node)
     look.SetShade(lighting)
     volume.GetMapper().SetBlendModeToComposite()
     return volume
@@ -121,14 +107,7 @@ def maximum(
         low, high = _ends(samples, _ENDS_OF_MAXIMA, leaves_out_least=False)
         window = high - low if window is None else float(window)
         level = 0.5 * (low + high) if level is None else level
-    low, high = level - 0.5 * window, level + 0.5 * window
-    colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
-    for value, grey in ((low, 0.0), (high, 1.0)):
-        colors.AddRGBPoint(value, grey, grey, grey)
-        opacities.AddPoint(value, 1.0)
-    look = volume.GetProperty()
-    look.SetColor(colors)
-    look.SetScalarOpacity(opacities)
+    vtkTemporalCoherencePresets.ApplyWindowLevel(volume.GetProperty(), window, level)
     volume.GetMapper().SetBlendModeToMaximumIntensity()
     return volume
 

@@ -47,7 +47,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderForWindow(
   if (isMade)
   {
     this->Frames.SetPictureSize(pixels);
-    this->Frames.LearnTimes(allowed);
+    this->Frames.LearnTimes(allowed, this->Self->GetBlendMode());
   }
   return isMade;
 }
@@ -66,10 +66,13 @@ TemporalCoherence::FewerRays vtkTemporalCoherenceVolumeMapper::Internals::Choose
   const TemporalCoherence::RayBudget::Choice choice =
     this->Frames.ChooseRays(TemporalCoherence::Viewer::Of(renderer, volume),
       static_cast<std::int64_t>(rays.x) * rays.y, allowed - this->Frames.PresentTime(),
-      static_cast<double>(this->Self->MaximumImageSampleDistance));
+      static_cast<double>(this->Self->MaximumImageSampleDistance), this->Self->GetBlendMode());
   fewer.Distance = choice.Distance;
-  fewer.HasTime = [begin, choice]()
-  { return std::chrono::duration<double>(Clock::now() - begin).count() < choice.Until; };
+  if (allowed < TemporalCoherence::RayBudget::InteractiveTime)
+  {
+    fewer.HasTime = [begin, choice]()
+    { return std::chrono::duration<double>(Clock::now() - begin).count() < choice.Until; };
+  }
   return fewer;
 }
 
@@ -206,7 +209,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::MakeImages(vtkRenderer* render
   if (isMade)
   {
     this->Frames.SetPictureSize({ width, height });
-    this->Frames.LearnTimes(VTK_DOUBLE_MAX);
+    this->Frames.LearnTimes(VTK_DOUBLE_MAX, this->Self->GetBlendMode());
   }
   // Write the images before the end event: its observers may draw the next frame.
   std::string error;

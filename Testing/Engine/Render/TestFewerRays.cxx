@@ -295,6 +295,44 @@ TEST_P(FewerRaysTest, ServeNoRouteThatNeedsAllRays)
   }
 }
 
+// Edges that there is no time for wait for the next frames, and become those of one long frame.
+TEST_P(FewerRaysTest, EdgesWaitForTime)
+{
+  FrameRenderer::Options options;
+  options.Antialias = Antialiasing::WhenStill;
+  FrameRenderer whole, parts;
+  whole.Render(this->Key, options);
+  whole.Render(this->Key, options);
+  ASSERT_TRUE(whole.LastFrame().IsSmooth());
+
+  options.Fewer.HasTime = []() { return false; };
+  parts.Render(this->Key, options);
+  double progress = parts.Statistics().Progress;
+  int frames = 0;
+  for (; progress < 1.0 && frames < 100; ++frames)
+  {
+    parts.Render(this->Key, options);
+    EXPECT_EQ(parts.Statistics().Made, Route::Antialias);
+    EXPECT_GT(parts.Statistics().Progress, progress);
+    progress = parts.Statistics().Progress;
+  }
+  EXPECT_GT(frames, 3);
+  EXPECT_EQ(parts.LastFrame().Antialiased, whole.LastFrame().Antialiased);
+  EXPECT_TRUE(ShowTheSame(parts.LastFrame(), whole.LastFrame()));
+  parts.Render(this->Key, options);
+  EXPECT_EQ(parts.Statistics().Made, Route::Redisplay);
+
+  // Switched off half way, none is left.
+  this->Key.View = LookAt(BlendSize, { 1.0, 2.0, 0.8 }, { 203, 135 });
+  parts.Render(this->Key, options);
+  parts.Render(this->Key, options);
+  EXPECT_TRUE(parts.LastFrame().IsAntialiased() && !parts.LastFrame().IsSmooth());
+  options.Antialias = Antialiasing::Off;
+  parts.Render(this->Key, options);
+  EXPECT_FALSE(parts.LastFrame().IsAntialiased());
+  EXPECT_EQ(parts.Statistics().Progress, 1.0);
+}
+
 TEST_P(FewerRaysTest, HaveDepthsBetweenThoseOfRays)
 {
   this->Renderer.Render(this->Key, Fewer(4.0, 0));

@@ -11,10 +11,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -203,24 +206,36 @@ private:
 
 bool Antialias(FrameTask& task, SurfaceLight* light, Frame& picture)
 {
-  ColorPlane shown = picture.Colors;
+  ColorPlane shown = picture.IsAntialiased() ? picture.Antialiased : picture.Colors;
   if (!MayShowAnything(task.Key))
   {
     picture.Antialiased.swap(shown);
     return true;
   }
+  // Light is found in whole frames only.
+  const std::function<bool()> hasTime = light ? nullptr : task.Options.Fewer.HasTime;
+  std::vector<std::uint8_t> open = picture.OpenEdges;
+  open.resize(NumberOfGroups(picture.Size), picture.OpenEdges.empty() ? 1 : 0);
+  std::atomic<bool> isBegun{ false }; // each frame makes one group at least
   const std::unique_ptr<RayColors> colors =
     task.Key.IsBlended() ? MakeBlendedColors(task) : MakeSurfaceColors(task, light);
   const EdgeTiles edges(task.Key, *colors, picture);
   const bool isDone = CountGroups(picture.Size, task.Report, task.Statistics,
     [&](std::size_t group, TraceCounts& ofGroup)
     {
+      if (open[group] == 0 || (hasTime && isBegun.exchange(true) && !hasTime()))
+      {
+        return;
+      }
       CountGroup(picture.Size, group, ofGroup,
         [&](std::int64_t tile, const PixelRect& part) { return edges.Make(tile, part, shown); });
+      open[group] = 0;
     });
   if (isDone)
   {
     picture.Antialiased.swap(shown);
+    const bool isWhole = std::find(open.begin(), open.end(), 1) == open.end();
+    picture.OpenEdges = isWhole ? std::vector<std::uint8_t>() : std::move(open);
   }
   return isDone;
 }

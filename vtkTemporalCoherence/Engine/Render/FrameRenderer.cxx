@@ -48,6 +48,15 @@ bool SmoothsEdges(const FrameTask& task)
     (task.IsRepeated || task.Options.Antialias == Antialiasing::Always);
 }
 
+/// The part of a picture whose edges have one ray a pixel.
+double ShareOfOpenEdges(const Frame& picture)
+{
+  const std::vector<std::uint8_t>& open = picture.OpenEdges;
+  return open.empty() ? 1.0
+                      : static_cast<double>(std::count(open.begin(), open.end(), 1)) /
+      static_cast<double>(open.size());
+}
+
 /// Rays that each hit sends in a frame to find light.
 std::uint32_t RaysOfFrame(const LightOptions& options, bool isStill)
 {
@@ -169,7 +178,7 @@ bool FrameRenderer::SmoothEdges(
   {
     if (route == Route::Antialias)
     {
-      task.Store.LastToRecolor().Picture.Antialiased.clear();
+      task.Store.LastToRecolor().Picture.ForgetAntialiased();
     }
     return true;
   }
@@ -229,9 +238,9 @@ void FrameRenderer::KeepLight(SurfaceLight* ofPixels, SurfaceLight* ofEdges, Fra
   }
   this->IsLightFinal = statistics.Progress >= 1.0;
   const CachedImage& last = task.Store.Last();
-  if (WantsSmoothEdges(task.Key, task.Options) && !last.Picture.IsAntialiased())
+  if (WantsSmoothEdges(task.Key, task.Options) && !last.Picture.IsSmooth())
   {
-    statistics.Progress *= 1.0 - ShareOfEdges;
+    statistics.Progress *= 1.0 - ShareOfEdges * ShareOfOpenEdges(last.Picture);
   }
   if (!last.Doubts.empty())
   {
@@ -313,7 +322,8 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   held.Isomap = this->Map.Covers(key, options.Map);
   held.ShareToTrace = this->Changes.ShareToTrace();
   held.IsLightFinal = this->IsLightFinal;
-  held.IsSmooth = WantsSmoothEdges(key, options) == last.Picture.IsAntialiased();
+  held.IsSmooth =
+    WantsSmoothEdges(key, options) ? last.Picture.IsSmooth() : !last.Picture.IsAntialiased();
   held.IsBetweenRays = !last.Doubts.empty();
   held.Values = !last.Picture.Met.empty() && !held.IsBetweenRays;
   // A picture from an isomap does not serve a request with another tolerance.

@@ -34,7 +34,7 @@ void FrameStore::Begin(const FrameKey& key, const FrameExtras& extras)
     std::fill(next.Picture.ClearTiles.begin(), next.Picture.ClearTiles.end(), std::uint8_t(0));
   }
   next.Picture.IsFromCache = false;
-  next.Picture.Antialiased.clear();
+  next.Picture.ForgetAntialiased();
   next.Key = key;
   next.IsExact = true;
   next.Doubts.clear();

@@ -36,8 +36,13 @@ constexpr double LeastForRays = 0.2;
 
 }
 
-void RayBudget::Learn(const FrameStatistics& frame, bool wasWhole, double allowed)
+void RayBudget::Learn(const FrameStatistics& frame, bool wasWhole, double allowed, int kind)
 {
+  if (kind != this->Kind)
+  {
+    *this = RayBudget();
+    this->Kind = kind;
+  }
   const auto pixels = static_cast<double>(std::max<std::int64_t>(frame.Rays, 1));
   const bool hadGrid = frame.GridRays > 0;
   this->IsWholeKnown = wasWhole;
@@ -56,7 +61,8 @@ void RayBudget::Learn(const FrameStatistics& frame, bool wasWhole, double allowe
   this->IsKnown = true;
 }
 
-RayBudget::Choice RayBudget::Choose(std::int64_t pixels, double allowed, double most) const
+RayBudget::Choice RayBudget::Choose(
+  std::int64_t pixels, double allowed, double most, int kind) const
 {
   if (!(allowed < InteractiveTime))
   {
@@ -64,14 +70,14 @@ RayBudget::Choice RayBudget::Choose(std::int64_t pixels, double allowed, double 
   }
   const double planned = Planned * std::max(allowed, 1e-9);
   const double until = planned - this->Fill;
-  if (!this->IsKnown)
+  if (!this->IsKnown || kind != this->Kind)
   {
     return { std::max(std::min(First, most), 1.0), until };
   }
   const auto number = static_cast<double>(pixels);
   if (this->IsWholeKnown && this->WholePerPixel * number + std::max(this->Rest, 0.0) <= planned)
   {
-    return {};
+    return { 1.0, until };
   }
   const double rest = this->Rest < 0.0 ? FirstRest * planned : this->Rest;
   const double left = std::max(planned - rest, LeastForRays * planned);

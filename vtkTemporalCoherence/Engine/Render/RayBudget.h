@@ -30,16 +30,19 @@ public:
   /// \param wasWhole every pixel had a ray
   /// \param allowed  seconds for it. Only frames of an interaction tell what comes besides rays:
   ///                 others may have set up the data
-  void Learn(const FrameStatistics& frame, bool wasWhole, double allowed);
+  /// \param kind     of the picture: what was learned of another kind is forgotten
+  void Learn(const FrameStatistics& frame, bool wasWhole, double allowed, int kind);
 
   /// The rays of a frame.
   /// \param pixels  number of them
   /// \param allowed seconds to make it
   /// \param most    the largest distance
-  Choice Choose(std::int64_t pixels, double allowed, double most) const;
+  /// \param kind    of the picture; nothing is known of one that the last frame was not of
+  Choice Choose(std::int64_t pixels, double allowed, double most, int kind) const;
 
 private:
   bool IsKnown = false;
+  int Kind = 0;
   bool IsWholeKnown = false;  ///< else the last frame could not be made whole
   double WholePerPixel = 0.0; ///< seconds
   double GridPerRay = 0.0;    ///< seconds

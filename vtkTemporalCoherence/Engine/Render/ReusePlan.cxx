@@ -52,7 +52,7 @@ Route PlanWhole(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   const FrameChange change = CompareFrames(last, next);
   if (last.IsBlended() != next.IsBlended())
   {
-    return Route::Cold;
+    return switches.FewerRays ? Route::FewerRays : Route::Cold;
   }
   if (next.IsBlended())
   {

@@ -133,7 +133,7 @@ bool ShadeAgain(FrameTask& task)
       return false;
     }
     last.Key = std::move(key);
-    picture.Antialiased.clear();
+    picture.ForgetAntialiased();
     if (saved)
     {
       saved->Drop();

@@ -121,6 +121,9 @@ struct Frame
   /// Colors, but with the mean of several rays at edges. Empty: no pixel has more than one ray.
   /// Routes read and write Colors alone, so their pictures do not depend on it.
   Plane<std::array<std::uint8_t, 4>> Antialiased;
+  /// For each group of tiles: 1 while its edges still have one ray a pixel, for want of time.
+  /// Empty: all of Antialiased is made.
+  std::vector<std::uint8_t> OpenEdges;
 
   // FrameExtras: an unneeded plane is empty.
   Plane<float> Disparities; ///< of the hit, or of a miss (Disparity.h)
@@ -179,6 +182,7 @@ struct Frame
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     this->Size = glm::ivec2(0);
     this->Antialiased = {};
+    this->OpenEdges.clear();
     ForEachPlane(0.0f,
       [&](auto plane, const auto&)
       {
@@ -198,7 +202,17 @@ struct Frame
 
   bool IsEmpty() const { return this->Size.x == 0; }
 
+  /// True if some edges have several rays a pixel.
   bool IsAntialiased() const { return !this->Antialiased.empty(); }
+
+  /// True if all have.
+  bool IsSmooth() const { return this->IsAntialiased() && this->OpenEdges.empty(); }
+
+  void ForgetAntialiased()
+  {
+    this->Antialiased.clear();
+    this->OpenEdges.clear();
+  }
 
   /// Colours for showing the picture.
   const Plane<std::array<std::uint8_t, 4>>& ShownColors() const

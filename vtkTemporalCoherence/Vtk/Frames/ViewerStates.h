@@ -56,13 +56,13 @@ struct ViewerState
   }
 
   /// Learn how long rays took in the last frame, unless it used known ones.
-  /// \param allowed seconds for the frame
-  void LearnTimes(double allowed)
+  /// \param allowed, kind see RayBudget
+  void LearnTimes(double allowed, int kind)
   {
     const FrameStatistics& last = this->Engine.Statistics();
     if (last.Made == Route::Cold || last.Made == Route::FewerRays)
     {
-      this->Budget.Learn(last, !this->Engine.IsLastBetweenRays(), allowed);
+      this->Budget.Learn(last, !this->Engine.IsLastBetweenRays(), allowed, kind);
     }
   }
 

@@ -39,6 +39,10 @@ private slots:
   void SettingsAreFitted();
   void OldSessionsAreAsTheyWere();
   void WaysToDrawDiffer();
+  void PresetsAndShift();
+  void ProjectionsAreGrey();
+  void TheCutShowsSamples();
+  void SessionsMoveWithTheirVolumes();
 
   void TheWindowAnswersWhileReading();
   void TheLatestFileIsOpened();
@@ -49,12 +53,17 @@ private slots:
   void TimeStepsArePlayed();
   void PicturesGetBetter();
   void PicturesAndFilmsAreFinal();
+  void VolumesAreMadeInParts();
+  void ClicksOfTheWheelAreJoined();
 
   void TheHistogramMovesIsovalues();
   void TheHistogramMovesOpacities();
   void TheTableChangesSurfaces();
   void PanelsShowTheModel();
   void ClippingAndCropping();
+  void PicturesHaveAnnotations();
+  void ThePointerTellsWhatIsThere();
+  void MenusHaveTicks();
   void KeysOfVersion01();
   void KeyboardAlone();
   void NothingIsCutOff();

@@ -16,6 +16,9 @@
 #include <vtkPiecewiseFunction.h>
 #include <vtkVolumeProperty.h>
 
+#include <QDir>
+
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -154,4 +157,129 @@ void ExplorerTests::WaysToDrawDiffer()
     this->Bench->Turn(Row::Drawing, 1);
   }
   QVERIFY(AreSame(pictures[0], this->Bench->Data.View.Picture(Width, Height)));
+}
+
+void ExplorerTests::PresetsAndShift()
+{
+  const auto look = [this]() -> const Look& { return this->Bench->Data.Settings(); };
+  const Setting& shift = AllSettings()[Row::Shift];
+  const auto& range = this->Bench->Data.Counted().Range;
+  this->Bench->Turn(Row::Drawing, 1);
+  const auto own = this->Bench->Data.View.Picture(Width, Height);
+  for (std::size_t preset = 1; preset < AllSettings()[Row::Preset].Words.size(); ++preset)
+  {
+    this->Bench->Turn(Row::Preset, 1);
+    QVERIFY(look().Nodes.size() >= 4 && look().Nodes[0].Color);
+    QVERIFY(!AreSame(own, this->Bench->Data.View.Picture(Width, Height)));
+  }
+  // What is shifted comes back, also beyond the values that there are.
+  const std::vector<Marker> before = look().Nodes;
+  const double middle = this->Bench->ShareOf(shift);
+  this->Bench->BeginGesture();
+  for (const double share : { 0.7, 1.0 })
+  {
+    this->Bench->SetShare(shift, share);
+  }
+  QVERIFY(std::abs(look().Nodes[1].Value - before[1].Value - 0.5 * (range[1] - range[0])) < 1e-9);
+  QCOMPARE(look().TextOf(Row::Preset), "mr");
+  this->Bench->SetShare(shift, middle);
+  for (std::size_t node = 0; node < before.size(); ++node)
+  {
+    QVERIFY(std::abs(look().Nodes[node].Value - before[node].Value) < 1e-9);
+  }
+  // A node that is changed makes the preset one's own.
+  this->Bench->EditMarker("opacity", [](Marker& marker) { marker.Opacity = 0.5; });
+  QCOMPARE(look().TextOf(Row::Preset), "own");
+  this->Bench->Changes.undo();
+  QCOMPARE(look().TextOf(Row::Preset), "mr");
+}
+
+void ExplorerTests::ProjectionsAreGrey()
+{
+  const auto ends = [this]() -> const std::vector<Marker>& { return this->Bench->Markers(); };
+  this->Bench->Turn(Row::Drawing, 2);
+  const auto picture = this->Bench->Data.View.Picture(Width, Height);
+  const auto* rgb = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  int brightest = 0;
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i, rgb += 3)
+  {
+    // The background is nearly grey.
+    QVERIFY(std::abs(rgb[0] - rgb[1]) < 8 && std::abs(rgb[1] - rgb[2]) < 8);
+    brightest = std::max<int>(brightest, rgb[0]);
+  }
+  QVERIFY(brightest > 200);
+  // Window and level are the ends of the ramp.
+  QCOMPARE(ends().size(), std::size_t{ 2 });
+  this->Bench->SetShare(AllSettings()[Row::Level], 0.5);
+  this->Bench->SetShare(AllSettings()[Row::Window], 0.25);
+  const auto& range = this->Bench->Data.Counted().Range;
+  const double width = ends()[1].Value - ends()[0].Value;
+  QVERIFY(std::abs(width - 0.25 * (range[1] - range[0])) < 0.01 * (range[1] - range[0]));
+  QVERIFY(std::abs(ends()[0].Value + ends()[1].Value - range[0] - range[1]) < 1e-6 * width);
+  // There are two of them, in order.
+  this->Bench->AddMarker();
+  QVERIFY(ends().size() == 2 && !this->Bench->CanRemove());
+  this->Bench->EditMarker("opacity", [](Marker& marker) { marker.Value = 1e9; });
+  QVERIFY(ends()[0].Value < ends()[1].Value && ends()[1].Value <= range[1]);
+}
+
+// The grey of a sample on the plane is that of the window.
+void ExplorerTests::TheCutShowsSamples()
+{
+  this->Bench->Data.LookFrom("-y");
+  this->Bench->Edit("clipping",
+    [](Look& look)
+    {
+      look.Values[Row::Clipping] = look.Values[Row::Cut] = 1;
+      look.Clip = Plane{ { 0.0, 12.25, 0.0 }, { 0.0, 1.0, 0.0 } };
+    });
+  this->Bench->Render();
+  const VolumeView::Seen seen = this->Bench->Data.View.SeenAt(Width, Height).value();
+  QVERIFY(seen.IsCut && std::abs(seen.Place[1] - 12.25) < 1e-6);
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->Bench->Data.Data().Data);
+  const auto sample = [&](int y)
+  {
+    const double x = seen.Place[0], z = seen.Place[2];
+    const int i = static_cast<int>(x), k = static_cast<int>(z);
+    const double u = x - i, w = z - k;
+    const auto at = [&](int di, int dk)
+    { return image->GetScalarComponentAsDouble(i + di, y, k + dk, 0); };
+    return (1 - w) * ((1 - u) * at(0, 0) + u * at(1, 0)) + w * ((1 - u) * at(0, 1) + u * at(1, 1));
+  };
+  const double expected = 0.75 * sample(12) + 0.25 * sample(13);
+  QVERIFY2(std::abs(seen.Value - expected) < 1e-3, std::to_string(seen.Value).c_str());
+  // And so it is in a picture.
+  const int* size = this->Bench->Data.View.Renderer->GetSize();
+  const auto picture = this->Bench->Data.View.Picture(size[0], size[1]);
+  const std::vector<Marker>& greys = this->Bench->Data.Settings().Greys;
+  const double grey =
+    255.0 * std::clamp((expected - greys[0].Value) / (greys[1].Value - greys[0].Value), 0.0, 1.0);
+  QVERIFY2(std::abs(picture->GetScalarComponentAsDouble(Width, Height, 0, 0) - grey) < 6.0,
+    std::to_string(grey).c_str());
+}
+
+void ExplorerTests::SessionsMoveWithTheirVolumes()
+{
+  QDir directory(this->Directory.path());
+  QVERIFY(directory.mkpath("here/data"));
+  Write(directory.filePath("here/data/series.vtu"), TimeSeries());
+  Session session;
+  session.Source.Path = directory.filePath("here/data/series.vtu").toStdString();
+  WriteSession(session, directory.filePath("here/one.session").toStdString());
+  QVERIFY(directory.rename("here", "there"));
+  const QString moved = directory.filePath("there/one.session");
+  this->Open(ReadSession(moved.toStdString()));
+  QCOMPARE(this->Bench->Data.Data().TimeSteps, 3);
+  // A volume that has moved by itself is asked for.
+  QVERIFY(directory.rename("there/data/series.vtu", "series.vtu"));
+  QSignalSpy opened(this->Bench.get(), &Workbench::Opened);
+  std::string missing;
+  this->Bench->OnMissing = [&](const std::string& path)
+  {
+    missing = path;
+    return directory.filePath("series.vtu").toStdString();
+  };
+  this->Bench->OpenPath(moved);
+  QVERIFY(opened.wait(Patience));
+  QVERIFY(QString::fromStdString(missing).endsWith("there/data/series.vtu"));
 }

@@ -10,10 +10,13 @@
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
+#include <QMouseEvent>
 #include <QSlider>
 #include <QTableWidget>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -129,6 +132,100 @@ void ExplorerTests::ClippingAndCropping()
   QVERIFY(!AreSame(whole, cropped));
   this->Bench->Changes.undo();
   QVERIFY(AreSame(whole, this->Bench->Data.View.Picture(Width, Height)));
+}
+
+// What is seen beside the volume is saved with it.
+void ExplorerTests::PicturesHaveAnnotations()
+{
+  const auto bare = this->Bench->Data.View.Picture(Width, Height);
+  for (const Row::Which row : { Row::Outline, Row::Axes, Row::ScaleBar, Row::ColorBar })
+  {
+    this->Bench->Turn(row, 1);
+    const auto picture = this->Bench->Data.View.Picture(Width, Height);
+    QVERIFY2(!AreSame(bare, picture), AllSettings()[row].Name);
+    this->Bench->Turn(row, 1);
+  }
+  QVERIFY(AreSame(bare, this->Bench->Data.View.Picture(Width, Height)));
+  // A background of one's own, or none.
+  this->Bench->Turn(Row::Background, 2);
+  const auto white = this->Bench->Data.View.Picture(Width, Height);
+  QCOMPARE(white->GetScalarComponentAsDouble(0, 0, 0, 0), 255.0);
+  const auto none = this->Bench->Data.View.Picture(
+    Width, Height, [](double) { return true; }, false);
+  QCOMPARE(none->GetNumberOfScalarComponents(), 4);
+  QCOMPARE(none->GetScalarComponentAsDouble(0, 0, 0, 3), 0.0);
+  int opaque = 0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      if (none->GetScalarComponentAsDouble(x, y, 0, 3) == 255.0)
+      {
+        ++opaque;
+        QCOMPARE(none->GetScalarComponentAsDouble(x, y, 0, 0),
+          white->GetScalarComponentAsDouble(x, y, 0, 0));
+      }
+    }
+  }
+  QVERIFY(opaque > 100);
+  // In a parallel projection, the middle of the view stays as large as it is.
+  const CameraState perspective = this->Bench->Data.View.Camera();
+  this->Bench->Turn(Row::Projection, 1);
+  QVERIFY(!AreSame(white, this->Bench->Data.View.Picture(Width, Height)));
+  this->Bench->Turn(Row::Projection, 1);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    QVERIFY(
+      std::abs(this->Bench->Data.View.Camera().Position[axis] - perspective.Position[axis]) < 1e-6);
+  }
+}
+
+void ExplorerTests::ThePointerTellsWhatIsThere()
+{
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy() && !this->Bench->IsRenderDue(), Patience);
+  auto* label = this->Window->findChild<QLabel*>("under pointer");
+  QWidget* view = this->Window->View();
+  const auto pointAt = [&](const QPoint& place)
+  {
+    QMouseEvent event(QEvent::MouseMove, place, view->mapToGlobal(place), Qt::NoButton,
+      Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(view, &event);
+  };
+  const int* size = this->Bench->Data.View.Renderer->GetSize();
+  QPoint hit;
+  for (int i = 0; i < 400 && hit.isNull(); ++i)
+  {
+    const QPoint place(size[0] * (i % 20) / 20, size[1] * (i / 20) / 20);
+    hit = this->Bench->Data.View.SeenAt(place.x(), place.y()) ? place : hit;
+  }
+  QVERIFY(!hit.isNull());
+  pointAt(QPoint(hit.x(), size[1] - 1 - hit.y()) / view->devicePixelRatioF());
+  QTRY_VERIFY_WITH_TIMEOUT(label->text().startsWith("Surface "), Patience);
+  pointAt(QPoint(1, 1));
+  QTRY_VERIFY_WITH_TIMEOUT(label->text().isEmpty(), Patience);
+}
+
+void ExplorerTests::MenusHaveTicks()
+{
+  const auto all = this->Window->findChildren<QMenu*>();
+  const auto found = std::find_if(
+    all.begin(), all.end(), [](const QMenu* menu) { return menu->title().startsWith("Material"); });
+  QVERIFY(found != all.end());
+  auto* settings = qobject_cast<QMenu*>((*found)->parentWidget());
+  QVERIFY(settings);
+  const auto ticked = [&]
+  {
+    emit settings->aboutToShow();
+    std::string names;
+    for (const QAction* item : (*found)->actions())
+    {
+      names += item->isChecked() ? item->text().toStdString() : "";
+    }
+    return names;
+  };
+  QCOMPARE(ticked(), std::string("satin"));
+  (*found)->actions()[2]->trigger();
+  QCOMPARE(ticked(), std::string("glossy"));
 }
 
 void ExplorerTests::KeysOfVersion01()

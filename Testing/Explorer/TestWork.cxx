@@ -10,6 +10,8 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QSlider>
+#include <QVTKOpenGLNativeWidget.h>
+#include <QWheelEvent>
 
 #include <set>
 
@@ -182,4 +184,41 @@ void ExplorerTests::PicturesAndFilmsAreFinal()
       said.last()[0].toString().startsWith("Recorded 2"), said.last()[0].toString().toUtf8());
   }
   QVERIFY(camera.Position == this->Bench->Data.View.Camera().Position);
+}
+
+// No frame waits for all rays of a volume; the picture is final in the end, and that of one piece.
+void ExplorerTests::VolumesAreMadeInParts()
+{
+  Session session = SmallSession();
+  session.Source.Spheres = 96;
+  session.Settings.Values[Row::Drawing] = 1;
+  this->Open(session);
+  QTRY_COMPARE_WITH_TIMEOUT(this->Bench->Refiner->GetProgress(), 1.0, Patience);
+  vtkRenderWindow* window = this->Window->View()->renderWindow();
+  QVERIFY(window->GetDesiredUpdateRate() > 10.0);
+  const int* size = this->Bench->Data.View.Renderer->GetSize();
+  QVERIFY(
+    AreSame(this->Bench->Data.View.LastFrame(), this->Bench->Data.View.Picture(size[0], size[1])));
+  this->Bench->Turn(Row::Drawing, -1);
+  QVERIFY(window->GetDesiredUpdateRate() < 0.1);
+}
+
+void ExplorerTests::ClicksOfTheWheelAreJoined()
+{
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy() && !this->Bench->IsRenderDue(), Patience);
+  QTest::qWait(100);
+  QSignalSpy frames(this->Bench.get(), &Workbench::FrameDrawn);
+  const CameraState before = this->Bench->Data.View.Camera();
+  QWidget* view = this->Window->View();
+  for (int click = 0; click < 10; ++click)
+  {
+    const QPointF place = view->rect().center();
+    QWheelEvent event(place, view->mapToGlobal(place.toPoint()), {}, QPoint(0, 120), Qt::NoButton,
+      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(view, &event);
+  }
+  QCOMPARE(frames.count(), 0);
+  QTRY_VERIFY_WITH_TIMEOUT(frames.count() > 0, Patience);
+  QVERIFY(frames.count() <= 2); // the window may be drawn for another reason
+  QVERIFY(before.Position != this->Bench->Data.View.Camera().Position);
 }

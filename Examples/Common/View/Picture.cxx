@@ -9,6 +9,7 @@
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
@@ -49,6 +50,25 @@ vtkSmartPointer<vtkImageData> OnBackground(
     }
   }
   return rgb;
+}
+
+vtkSmartPointer<vtkImageData> WithoutBackground(vtkImageData* rgba)
+{
+  auto straight = vtkSmartPointer<vtkImageData>::New();
+  straight->SetDimensions(rgba->GetDimensions());
+  straight->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  const auto* from = static_cast<const unsigned char*>(rgba->GetScalarPointer());
+  auto* to = static_cast<unsigned char*>(straight->GetScalarPointer());
+  for (vtkIdType i = 0; i < rgba->GetNumberOfPoints(); ++i, from += 4, to += 4)
+  {
+    const double alpha = std::max(from[3] / 255.0, 1.0 / 255.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      to[c] = static_cast<unsigned char>(std::lround(std::min(from[c] / alpha, 255.0)));
+    }
+    to[3] = from[3];
+  }
+  return straight;
 }
 
 void WritePng(vtkImageData* picture, const std::string& path, const std::string& remedy)

@@ -14,6 +14,9 @@
 vtkSmartPointer<vtkImageData> OnBackground(
   vtkImageData* rgba, const std::array<double, 3>& bottom, const std::array<double, 3>& top);
 
+// The same picture by itself: colours are not multiplied by alpha, as files have them.
+vtkSmartPointer<vtkImageData> WithoutBackground(vtkImageData* rgba);
+
 // Throws UserError, with the remedy given ("name another directory with --output").
 void WritePng(vtkImageData* picture, const std::string& path, const std::string& remedy);
 

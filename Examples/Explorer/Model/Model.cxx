@@ -8,16 +8,28 @@
 #include "Program/UserError.h"
 #include "View/Isovalue.h"
 
+#include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
 #include <vtkMath.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkTemporalCoherencePresets.h>
+#include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace
 {
 
 constexpr std::size_t MostMarkers = 64; // surfaces, nodes
 constexpr double MostOpacity = 0.6;     // of a ramp at first
+constexpr double LeastWindow = 1e-3;    // of the range
+// Samples below black and above white of projections, as shares of all.
+constexpr double BelowBlack = 0.01, AboveWhite = 0.0005;
+constexpr double BrightestMean = 1.8; // of a ray, in means of all samples
+// Values of scans whose range is not that of Hounsfield units are taken as this range.
+constexpr double LeastOfScans = -1000.0, MostOfScans = 2000.0;
+constexpr double Stored = 1024.0; // is added by scanners that write no negative values
 
 // Nothing below the isovalue, and ever more above.
 std::vector<Marker> FirstRamp(const std::array<double, 2>& range, double isovalue)
@@ -28,6 +40,64 @@ std::vector<Marker> FirstRamp(const std::array<double, 2>& range, double isovalu
     ramp.insert(ramp.begin() + 1, { isovalue, 0.0 });
   }
   return ramp;
+}
+
+// The value below which a share of the samples lies.
+double ValueBelow(const Histogram& counted, double share, bool leavesOutLeast = false)
+{
+  const std::vector<double>& bins = counted.Bins;
+  const std::size_t first = leavesOutLeast && bins.size() > 1 ? 1 : 0;
+  const double all =
+    std::accumulate(bins.begin() + static_cast<std::ptrdiff_t>(first), bins.end(), 0.0);
+  std::size_t bin = first;
+  double below = bins[bin];
+  while (bin + 1 < bins.size() && below < share * all)
+  {
+    below += bins[++bin];
+  }
+  return counted.Range[0] +
+    (counted.Range[1] - counted.Range[0]) * static_cast<double>(bin) /
+    static_cast<double>(std::max<std::size_t>(bins.size() - 1, 1));
+}
+
+double MeanOf(const Histogram& counted)
+{
+  double sum = 0.0, all = 0.0;
+  for (std::size_t bin = 0; bin < counted.Bins.size(); ++bin)
+  {
+    sum += static_cast<double>(bin) * counted.Bins[bin];
+    all += counted.Bins[bin];
+  }
+  return counted.Range[0] +
+    (counted.Range[1] - counted.Range[0]) * sum /
+    (all * static_cast<double>(std::max<std::size_t>(counted.Bins.size() - 1, 1)));
+}
+
+// So that a projection is neither black nor white: its values lie among the largest, the smallest,
+// or in the middle of those of the samples.
+std::vector<Marker> FirstGreys(const Histogram& counted, int drawing)
+{
+  constexpr int minimum = 3, average = 4;
+  const double black = drawing == minimum ? counted.Range[0] : ValueBelow(counted, BelowBlack);
+  double white = ValueBelow(counted, 1.0 - AboveWhite);
+  if (drawing == minimum)
+  {
+    white = ValueBelow(counted, 0.5, true);
+  }
+  else if (drawing == average)
+  {
+    white = black + BrightestMean * (MeanOf(counted) - black);
+  }
+  return white > black
+    ? std::vector<Marker>{ { black, 0.0 }, { white, 1.0 } }
+    : std::vector<Marker>{ { counted.Range[0], 0.0 }, { counted.Range[1], 1.0 } };
+}
+
+bool AreSame(const std::vector<Marker>& one, const std::vector<Marker>& other)
+{
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+    [](const Marker& a, const Marker& b)
+    { return a.Value == b.Value && a.Opacity == b.Opacity && a.Color == b.Color; });
 }
 
 void Fit(std::vector<Marker>& markers, const std::array<double, 2>& range, bool areAscending)
@@ -101,15 +171,15 @@ void Model::Adopt(Request& request)
     look.Surfaces.resize(request.IsSameFile ? 1 : std::max(look.Surfaces.size(), std::size_t{ 1 }));
     look.Surfaces[0].Value = *request.Wanted.Isovalue;
     look.Nodes.resize(request.IsSameFile ? 0 : look.Nodes.size());
+    look.Greys.resize(request.IsSameFile ? 0 : look.Greys.size());
   }
+  // First, as a plane may be placed to suit the view.
+  const bool hasCamera = request.IsSameFile || request.Wanted.HasCamera;
+  hasCamera ? this->View.SetCamera(camera) : this->ResetView();
   this->SetSettings(look);
-  if (request.IsSameFile || request.Wanted.HasCamera)
+  if (hasCamera) // which another projection has changed
   {
     this->View.SetCamera(camera);
-  }
-  else
-  {
-    this->ResetView();
   }
 }
 
@@ -172,8 +242,24 @@ Look Model::Fitted(Look look) const
   const std::array<double, 2>& range = this->Samples.Range;
   look.Surfaces.resize(std::max(look.Surfaces.size(), std::size_t{ 1 }));
   Fit(look.Surfaces, range, false);
-  look.Nodes = look.Nodes.size() < 2 ? FirstRamp(range, look.Surfaces[0].Value) : look.Nodes;
-  Fit(look.Nodes, range, true);
+  if (look.Nodes.size() < 2)
+  {
+    look.Nodes = look.Values[Row::Preset] != 0.0 ? this->NodesOf(look.TextOf(Row::Preset))
+                                                 : FirstRamp(range, look.Surfaces[0].Value);
+    look.Values[Row::Shift] = 0.0;
+  }
+  // Nodes of a preset may lie beside the values of the data.
+  const double width = range[1] - range[0];
+  Fit(look.Nodes, { range[0] - width, range[1] + width }, true);
+  look.Greys =
+    look.Greys.size() == 2 ? look.Greys : FirstGreys(this->Samples, look.Choice(Row::Drawing));
+  Fit(look.Greys, range, true);
+  if (look.Greys[1].Value - look.Greys[0].Value < LeastWindow * width)
+  {
+    look.Greys[0].Value = std::min(look.Greys[0].Value, range[1] - LeastWindow * width);
+    look.Greys[1].Value = look.Greys[0].Value + LeastWindow * width;
+  }
+  look.Greys = { { look.Greys[0].Value, 0.0 }, { look.Greys[1].Value, 1.0 } };
   double* normal = look.Clip.Normal.data();
   if (!(vtkMath::Norm(normal) < 1e15 && vtkMath::Normalize(normal) > 1e-15 &&
         vtkMath::Norm(look.Clip.Origin.data()) < 1e15))
@@ -204,8 +290,127 @@ void Model::SetSettings(const Look& look, bool isShown)
 
 std::array<double, 2> Model::RangeOf(const Setting& number) const
 {
-  const double* along = number.Axis ? &this->View.DataBounds()[2 * *number.Axis] : nullptr;
-  return along ? std::array<double, 2>{ along[0], along[1] } : number.Range;
+  const std::array<double, 2>& range = this->Samples.Range;
+  const double width = range[1] - range[0];
+  if (number.Axis)
+  {
+    const double* along = &this->View.DataBounds()[2 * *number.Axis];
+    return { along[0], along[1] };
+  }
+  switch (number.Place())
+  {
+    case Row::Shift:
+      return { -0.5 * width, 0.5 * width };
+    case Row::Window:
+      return { LeastWindow * width, width };
+    case Row::Level:
+      return range;
+    default:
+      return number.Range;
+  }
+}
+
+double Model::NumberOf(const Setting& number, const Look& look, std::size_t marker) const
+{
+  const std::vector<Marker>& greys = look.Greys;
+  switch (number.Place())
+  {
+    case Row::Opacity:
+      return (look.*this->MarkersIn())[marker].Opacity;
+    case Row::Window:
+      return greys[1].Value - greys[0].Value;
+    case Row::Level:
+      return 0.5 * (greys[0].Value + greys[1].Value);
+    default:
+      return look.Values[number.Place()];
+  }
+}
+
+void Model::SetNumber(const Setting& number, Look& look, std::size_t marker, double value) const
+{
+  std::vector<Marker>& greys = look.Greys;
+  const double before = this->NumberOf(number, look, marker);
+  switch (number.Place())
+  {
+    case Row::Opacity:
+      this->MarkersOf(look)[marker].Opacity = value;
+      return;
+    case Row::Window:
+      greys[0].Value -= 0.5 * (value - before);
+      greys[1].Value += 0.5 * (value - before);
+      return;
+    case Row::Level:
+      greys[0].Value += value - before;
+      greys[1].Value += value - before;
+      return;
+    case Row::Shift:
+      for (Marker& node : look.Nodes)
+      {
+        node.Value += value - before;
+      }
+      break;
+    default:
+      break;
+  }
+  look.Values[number.Place()] = value;
+  if (number.Switch < Row::Count)
+  {
+    look.Values[number.Switch] = 1;
+  }
+}
+
+void Model::SetChoice(Look& look, std::size_t choice, int word) const
+{
+  look.Values[choice] = word;
+  if (choice == Row::Preset && word > 0)
+  {
+    look.Nodes = this->NodesOf(look.TextOf(Row::Preset));
+    look.Values[Row::Shift] = 0.0;
+  }
+  else if (choice == Row::Drawing)
+  {
+    look.Greys.clear(); // those that suit it
+  }
+}
+
+void Model::ForgetPreset(Look& look) const
+{
+  const auto isSame = [&](Row::Which row)
+  { return look.Values[row] == this->Settings().Values[row]; };
+  if (!AreSame(look.Nodes, this->Settings().Nodes) && isSame(Row::Preset) && isSame(Row::Shift))
+  {
+    look.Values[Row::Preset] = 0.0;
+  }
+}
+
+std::vector<Marker> Model::NodesOf(const char* preset) const
+{
+  const std::array<double, 2>& range = this->Samples.Range;
+  double offset = 0.0, scale = 1.0;
+  if (!vtkTemporalCoherencePresets::GetPresetIsInHounsfieldUnits(preset))
+  {
+    offset = ValueBelow(this->Samples, BelowBlack, true);
+    scale = std::max(ValueBelow(this->Samples, 0.995, true) - offset, 1e-6 * (range[1] - range[0]));
+  }
+  else if (range[0] > -200.0)
+  {
+    const bool isStored = range[1] - range[0] > 1000.0;
+    scale = isStored ? 1.0 : (range[1] - range[0]) / (MostOfScans - LeastOfScans);
+    offset = isStored ? Stored : range[0] - scale * LeastOfScans;
+  }
+  vtkNew<vtkVolumeProperty> look;
+  vtkTemporalCoherencePresets::Apply(preset, look, offset, scale);
+  vtkPiecewiseFunction* const opacities = look->GetScalarOpacity();
+  std::vector<Marker> nodes;
+  for (int i = 0; i < opacities->GetSize(); ++i)
+  {
+    std::array<double, 4> node;
+    opacities->GetNodeValue(i, node.data());
+    Rgb color;
+    look->GetRGBTransferFunction()->GetColor(node[0], color.data());
+    nodes.push_back({ node[0], node[1], true, color });
+  }
+  return nodes;
 }
 
 void Model::ResetView()
@@ -235,7 +440,8 @@ std::vector<double> Model::PresentSight()
   const CameraState camera = this->View.Camera();
   const int* size = this->View.Renderer->GetSize();
   std::vector<double> sight = { camera.ViewAngle, 1.0 * size[0], 1.0 * size[1],
-    this->Settings().Values[Row::Surface] };
+    this->Settings().Values[Row::Surface], this->Settings().Values[Row::Projection],
+    camera.ParallelScale };
   for (const Point& point : { camera.Position, camera.FocalPoint, camera.ViewUp })
   {
     sight.insert(sight.end(), point.begin(), point.end());

@@ -57,8 +57,22 @@ public:
   bool DrawsImage() const { return !this->View.IsMesh(); }
   bool Blends() const { return this->DrawsImage() && this->Settings().Values[Row::Drawing] != 0.0; }
   bool DrawsSurfaces() const { return !this->Blends(); }
-  // The surfaces, or the nodes of the blended volume.
-  auto MarkersIn() const { return this->DrawsSurfaces() ? &Look::Surfaces : &Look::Nodes; }
+  // Projections show one value of a ray, in grey.
+  bool Projects() const { return this->Blends() && this->Settings().IsProjection(); }
+  bool HasNodes() const { return this->Blends() && !this->Projects(); }
+  bool HasOpacities() const { return !this->Projects(); }
+  bool CanShowCut() const { return this->View.CanShowCut(); }
+  bool HasGreys() const
+  {
+    return this->Projects() ||
+      (this->CanShowCut() && this->Settings().Values[Row::Clipping] != 0.0 &&
+        this->Settings().Values[Row::Cut] == 1.0);
+  }
+  // The surfaces, the nodes of the blended volume, or the ends of the greys.
+  auto MarkersIn() const
+  {
+    return this->DrawsSurfaces() ? &Look::Surfaces : this->Projects() ? &Look::Greys : &Look::Nodes;
+  }
   std::vector<Marker>& MarkersOf(Look& look) const { return look.*this->MarkersIn(); }
   const std::vector<Marker>& Markers() const { return this->Settings().*this->MarkersIn(); }
   // Values by their place in the range, 0 to 1.
@@ -72,6 +86,12 @@ public:
   }
   // One of as many as 8 bits have.
   double StepOfValues() const { return (this->Samples.Range[1] - this->Samples.Range[0]) / 256.0; }
+
+  // A number of a look. The opacity is that of a marker.
+  double NumberOf(const Setting& number, const Look& look, std::size_t marker) const;
+  void SetNumber(const Setting& number, Look& look, std::size_t marker, double value) const;
+  void SetChoice(Look& look, std::size_t choice, int word) const;
+  void ForgetPreset(Look& look) const; // if its nodes were changed otherwise
 
   void ResetView();
   void LookFrom(const std::string& from); // "+z": an axis
@@ -87,6 +107,7 @@ private:
   // What an isomap belongs to: the camera, the size of the picture, the surface mode.
   std::vector<double> PresentSight();
   Look Fitted(Look look) const;
+  std::vector<Marker> NodesOf(const char* preset) const;
 
   std::string From, Up;
   Session Current;

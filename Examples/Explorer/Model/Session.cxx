@@ -213,9 +213,11 @@ std::vector<Field> FieldsOf(Session& session)
     { "camera-focal-point", [&](Line& line) { line.TakeIf(hasCamera, camera.FocalPoint); } },
     { "camera-view-up", [&](Line& line) { line.TakeIf(hasCamera, camera.ViewUp); } },
     { "camera-view-angle", [&](Line& line) { line.TakeIf(hasCamera, camera.ViewAngle); } },
+    { "camera-parallel-scale", [&](Line& line) { line.TakeIf(hasCamera, camera.ParallelScale); } },
     { "component", [&](Line& line) { line.Take(session.Component, -1, 4095); } },
     { "surfaces", [&](Line& line) { line.Take(look.Surfaces, true); } },
     { "opacity", [&](Line& line) { line.Take(look.Nodes, false); } },
+    { "greys", [&](Line& line) { line.Take(look.Greys, false); } },
     { "clip",
       [&](Line& line)
       { line.TakeIf(look.Values[Row::Clipping], look.Clip.Origin, look.Clip.Normal); } },
@@ -256,7 +258,14 @@ bool IsUsable(const CameraState& camera)
     up.Norm() > 1.0 / Farthest && distance > 1.0 / Farthest &&
     distance > Nearest * (position.Norm() + focus.Norm()) &&
     direction.Cross(up).Norm() > Nearest * distance * up.Norm() && camera.ViewAngle > 1e-5 &&
-    camera.ViewAngle < 179.0;
+    camera.ViewAngle < 179.0 && camera.ParallelScale > 1.0 / Farthest &&
+    camera.ParallelScale < Farthest;
+}
+
+// Where a session lies, for paths that start there.
+fs::path DirectoryOf(const std::string& session)
+{
+  return fs::absolute(session).lexically_normal().parent_path();
 }
 
 }
@@ -270,7 +279,13 @@ bool IsSessionName(const std::string& path)
 void WriteSession(Session session, const std::string& path)
 {
   std::string& volume = session.Source.Path;
-  volume = volume.empty() ? "" : fs::absolute(volume).lexically_normal().string();
+  if (!volume.empty())
+  {
+    // So that both may be moved together. There is no such way from one drive to another.
+    const fs::path whole = fs::absolute(volume).lexically_normal();
+    const fs::path way = whole.lexically_relative(DirectoryOf(path));
+    volume = (way.empty() ? whole : way).generic_string();
+  }
   std::ofstream file(path);
   file << FirstLine << '\n';
   for (const Field& field : FieldsOf(session))
@@ -321,6 +336,10 @@ Session ReadSession(const std::string& path)
       throw UserError("Line " + std::to_string(number) + " of the session " + Quoted(path) +
         " cannot be understood: " + Quoted(line) + "; correct it or take it out.");
     }
+  }
+  if (!session.Source.Path.empty())
+  {
+    session.Source.Path = (DirectoryOf(path) / session.Source.Path).lexically_normal().string();
   }
   if (!session.Isovalue && !session.Settings.Surfaces.empty())
   {

@@ -13,7 +13,8 @@ struct CameraState
   Point Position = {};
   Point FocalPoint = {};
   Point ViewUp = {};
-  double ViewAngle = 30.0; // degrees
+  double ViewAngle = 30.0;    // degrees
+  double ParallelScale = 1.0; // half of the view's height in the world, without perspective
 };
 
 // All that a picture depends on: what a session file holds.

@@ -5,6 +5,8 @@
 #include "Model/Model.h"
 #include "View/Appearance.h"
 
+#include <vtkTemporalCoherencePresets.h>
+
 #include <algorithm>
 
 namespace
@@ -30,11 +32,23 @@ Setting PartOfLight(const char* name, const char* label, const char* help, doubl
     ofSwitch, isLogarithmic };
 }
 
+// "own" first: nodes that are no preset's, or no more.
+std::vector<const char*> NamesOfPresets()
+{
+  std::vector<const char*> names = { "own" };
+  for (int i = 0; i < vtkTemporalCoherencePresets::GetNumberOfPresets(); ++i)
+  {
+    names.push_back(vtkTemporalCoherencePresets::GetPresetName(i));
+  }
+  return names;
+}
+
 std::vector<Setting> MakeTable()
 {
   const std::vector<const char*> onOff = { "off", "on" };
   return {
-    { "palette", "Colours", "colours over the values", "Surfaces", 'P', PaletteNames() },
+    { "palette", "Colours", "colours over the values", "Surfaces", 'P', PaletteNames(),
+      &Model::HasOpacities },
     { "material", "Material", "material: matt or glossy", "Light", 'M', MaterialNames() },
     { "light", "Light", "light: where it comes from", "Light", 'L', LightNames() },
     { "surface", "Surface", "open surface or capped solid", "Surfaces", 'V',
@@ -46,13 +60,13 @@ std::vector<Setting> MakeTable()
     { "isomap", "Isomap", "isomap: look isovalues up in a still view", "Re-use", 'I', onOff,
       nullptr, 1.0 },
     { "leaping", "Space leaping", "leap over empty space", "Re-use", 'J', onOff, nullptr, 1.0 },
-    { "map-ahead", "Isomap at first drag", "build the whole isomap when a drag begins", "Re-use",
+    { "map-ahead", "Isomap before a drag", "build the whole isomap when a drag begins", "Re-use",
       'K', onOff, nullptr, 1.0 },
-    { "answers", "Yellow: cast anew", "yellow: what the image cache did not serve", "Re-use", 'Y',
-      onOff },
-    { "scale", "Picture scale", "size of a saved picture, in views", "Re-use", 'X',
+    { "answers", "Show re-use in yellow", "yellow: what the image cache did not serve", "Re-use",
+      'Y', onOff },
+    { "scale", "Picture scale", "size of a saved picture, in views", "Scene", 'X',
       { "1", "2", "4" } },
-    { "film", "Recording", "recordings as pictures or as a film", "Re-use", 'F', { "png", "ogv" } },
+    { "film", "Recording", "recordings as pictures or as a film", "Scene", 'F', { "png", "ogv" } },
     { "gradients", "Mesh normals", "normals of meshes: those of cells, with facets, or smooth",
       "Light", 'G', { "facets", "smooth" }, &Model::DrawsMesh, 1.0, 0.0 },
     { "drawing", "Draw", "surfaces, or the blended volume", "Surfaces", 'D',
@@ -66,6 +80,21 @@ std::vector<Setting> MakeTable()
       "Light", '1', onOff, &Model::DrawsSurfaces, 1.0, 0.0 },
     { "shadows", "Shadows", "shadows of surfaces on one another, by all lights but headlights",
       "Light", '3', onOff, &Model::DrawsSurfaces, 0.0, 0.0 },
+    { "preset", "Preset", "colours and opacities by name; Shift moves them over the values",
+      "Surfaces", '\0', NamesOfPresets(), &Model::HasNodes },
+    { "cut", "On the plane", "what the clipping plane shows where it cuts", "Clip", '4',
+      { "nothing", "grey values", "colours" }, &Model::CanShowCut },
+    { "background", "Background", "background of the view and of pictures", "Scene", '2',
+      { "dark", "grey", "white" } },
+    { "projection", "Projection", "what is far away is smaller, or not", "Scene", '5',
+      { "perspective", "parallel" } },
+    { "outline", "Outline", "the edges of the volume's box", "Scene", '6', onOff },
+    { "axes", "Axes", "which way x, y and z go", "Scene", '7', onOff },
+    { "scale-bar", "Scale bar", "how long a distance is in the middle of the view", "Scene", '8',
+      onOff },
+    { "color-bar", "Colour bar", "which value has which colour", "Scene", '9', onOff },
+    { "transparency", "Transparent pictures", "saved pictures have no background", "Scene", '\0',
+      onOff },
     { "", "", "", "", '\0', onOff },
     Reflection("Ambient", "light from everywhere", 1.0),
     Reflection("Diffuse", "light that shows the shape", 1.0),
@@ -77,14 +106,20 @@ std::vector<Setting> MakeTable()
     PartOfLight("occlusion-strength", "Occlusion strength", "how dark hollows are", 1.0,
       { 0.0, 1.0 }, Row::Occlusion),
     { "density", "Density", "of the blended volume: how soon it is opaque", "Surfaces", '\0', {},
-      &Model::Blends, 1.0, {}, { 1e-3, 1e3 }, {}, Row::Count, true },
+      &Model::HasNodes, 1.0, {}, { 1e-3, 1e3 }, {}, Row::Count, true },
+    { "shift", "Shift", "moves colours and opacities over the values", "Surfaces", '\0', {},
+      &Model::HasNodes, 0.0, {}, { -1e300, 1e300 } },
     SideOfBox("X from", -1e300, 0),
     SideOfBox("X to", 1e300, 0),
     SideOfBox("Y from", -1e300, 1),
     SideOfBox("Y to", 1e300, 1),
     SideOfBox("Z from", -1e300, 2),
     SideOfBox("Z to", 1e300, 2),
-    { "", "Opacity", "of the selected surface: less is see-through", "Surfaces", '\0', {} },
+    { "", "Opacity", "of the selected surface: less is see-through", "Surfaces", '\0', {},
+      &Model::HasOpacities },
+    { "", "Window", "how many values lie from black to white", "Surfaces", '\0', {},
+      &Model::HasGreys },
+    { "", "Level", "the value of middle grey", "Surfaces", '\0', {}, &Model::HasGreys },
   };
 }
 
@@ -115,6 +150,12 @@ Look Look::Before()
     look.Values[row] = AllSettings()[row].Before.value_or(look.Values[row]);
   }
   return look;
+}
+
+bool Look::IsProjection() const
+{
+  constexpr int maximum = 2, average = 4; // and the minimum between
+  return this->Choice(Row::Drawing) >= maximum && this->Choice(Row::Drawing) <= average;
 }
 
 const char* Look::TextOf(Row::Which choice) const

@@ -36,20 +36,32 @@ struct Row
     Cropping,
     Occlusion,
     Shadows,
+    Preset, // of the blended volume
+    Cut,    // what is seen on the clipping plane
+    Background,
+    Projection,
+    Outline,
+    Axes,
+    ScaleBar,
+    ColorBar,
+    Transparency,                  // of saved pictures
     OwnShading,                    // else it is that of the material
     Shading,                       // ambient, diffuse, specular, power
     OcclusionRadius = Shading + 4, // as a share of the longest edge
     OcclusionStrength,
     Density,
-    Crop, // a box along the data's own axes
+    Shift, // of the nodes, since the preset was chosen
+    Crop,  // a box along the data's own axes
     Count = Crop + 6,
     Opacity = Count, // is that of the selected marker
+    Window,          // these two are those of the greys
+    Level,
   };
 };
 
 class Model;
 
-// A surface at an isovalue, or a node of the opacity of a blended volume.
+// A surface at an isovalue, a node of the opacity of a blended volume, or an end of the greys.
 struct Marker
 {
   double Value = 0.0;
@@ -72,9 +84,13 @@ struct Look
   int Choice(Row::Which what) const { return static_cast<int>(this->Values[what]); }
   const char* TextOf(Row::Which choice) const;
 
+  // Maximum, minimum or average: one value of a ray is shown, in grey.
+  bool IsProjection() const;
+
   std::array<double, Row::Count> Values; // of a choice: the place of its word
   std::vector<Marker> Surfaces;          // one at least, once a volume is open
   std::vector<Marker> Nodes;             // in ascending order of values; two at least
+  std::vector<Marker> Greys;             // of projections: the values of black and of white
   Plane Clip;
 };
 

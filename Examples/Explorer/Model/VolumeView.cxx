@@ -17,6 +17,7 @@
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkTemporalCoherencePresets.h>
 #include <vtkVector.h>
 #include <vtkVolumeProperty.h>
 
@@ -26,7 +27,9 @@
 namespace
 {
 
-constexpr std::array<double, 3> Background = { 16.0, 18.0, 22.0 }; // of 255
+// Of Row::Background, of 255.
+constexpr std::array<std::array<double, 3>, 3> Backgrounds = { { { 16.0, 18.0, 22.0 },
+  { 128.0, 130.0, 134.0 }, { 255.0, 255.0, 255.0 } } };
 constexpr double ShareFilled = 0.85; // of the view, by the volume's box
 
 // The blend modes of Row::Drawing.
@@ -101,8 +104,6 @@ VolumeView::VolumeView()
 {
   this->Actor->SetMapper(this->Mapper);
   this->Actor->GetProperty()->SetInterpolationTypeToLinear();
-  this->Renderer->SetBackground(
-    Background[0] / 255.0, Background[1] / 255.0, Background[2] / 255.0);
 }
 
 VolumeView::Mapping VolumeView::Prepare(
@@ -133,6 +134,8 @@ void VolumeView::Show(
   const Volume& volume, int component, const std::array<double, 2>& range, const Mapping& by)
 {
   this->Range = range;
+  this->Shown = volume;
+  this->Component = component;
   this->HasCells = HasMeshes(volume.Data);
   if (by)
   {
@@ -143,6 +146,7 @@ void VolumeView::Show(
   this->Actor->SetUserMatrix(volume.Placement);
   this->Mapper->GetBounds(this->Bounds.data());
   std::copy_n(this->Actor->GetBounds(), 6, this->BoundsInWorld.begin());
+  this->Beside.Show(volume, component, this->Bounds);
   if (!this->Renderer->HasViewProp(this->Actor))
   {
     this->Renderer->AddVolume(this->Actor);
@@ -183,9 +187,41 @@ void VolumeView::SetMarkers(const std::vector<Marker>& markers)
   }
 }
 
+// Opaque, from black to white.
+void VolumeView::SetGreys(const std::vector<Marker>& ends)
+{
+  const double window = ends[1].Value - ends[0].Value;
+  vtkTemporalCoherencePresets::ApplyWindowLevel(
+    this->Actor->GetProperty(), window, ends[0].Value + 0.5 * window);
+}
+
+// What is at the focal point stays as large as it is.
+void VolumeView::SetProjection(bool isParallel)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  if (isParallel == (camera->GetParallelProjection() != 0))
+  {
+    return;
+  }
+  const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  if (isParallel)
+  {
+    camera->SetParallelScale(tangent * camera->GetDistance());
+  }
+  else
+  {
+    camera->Dolly(camera->GetDistance() * tangent / camera->GetParallelScale());
+  }
+  camera->SetParallelProjection(isParallel);
+  this->Renderer->ResetCameraClippingRange();
+}
+
 void VolumeView::Apply(Look& look)
 {
   vtkVolumeProperty* property = this->Actor->GetProperty();
+  const auto& ground = Backgrounds[static_cast<std::size_t>(look.Choice(Row::Background))];
+  this->Renderer->SetBackground(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
+  this->SetProjection(look.Choice(Row::Projection) != 0);
   SetPalette(property->GetRGBTransferFunction(), look.Choice(Row::Palette), this->Range);
   SetMaterial(property, look.Choice(Row::Material));
   double* shading = &look.Values[Row::Shading];
@@ -207,17 +243,24 @@ void VolumeView::Apply(Look& look)
   this->Mapper->SetBlendMode(BlendModes[static_cast<std::size_t>(drawing)]);
   // Rays of blended volumes take long: fewer of them while something is dragged.
   this->Mapper->SetAutoAdjustSampleDistances(!areSurfaces);
-  this->SetMarkers(areSurfaces ? look.Surfaces : look.Nodes);
+  if (!areSurfaces && look.IsProjection())
+  {
+    this->SetGreys(look.Greys);
+  }
+  else
+  {
+    this->SetMarkers(areSurfaces ? look.Surfaces : look.Nodes);
+  }
   const Box& box = this->Bounds;
   const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
   property->SetScalarOpacityUnitDistance(
     std::max(0.01 * diagonal / look.Values[Row::Density], 1e-30));
   this->Mapper->SetSurfaceMode(look.Choice(Row::Surface));
   this->Mapper->SetSmoothMeshNormals(look.Values[Row::Gradients] != 0);
-  this->Mapper->SetAmbientOcclusion(look.Values[Row::Occlusion] != 0);
+  this->Mapper->SetAmbientOcclusion(areSurfaces && look.Values[Row::Occlusion] != 0);
   this->Mapper->SetAmbientOcclusionRadius(look.Values[Row::OcclusionRadius] * this->LongestEdge());
   this->Mapper->SetAmbientOcclusionStrength(look.Values[Row::OcclusionStrength]);
-  this->Mapper->SetShadows(look.Values[Row::Shadows] != 0);
+  this->Mapper->SetShadows(areSurfaces && look.Values[Row::Shadows] != 0);
   this->Mapper->SetReuseAccuracy(
     vtkTemporalCoherenceVolumeMapper::EXACT + look.Choice(Row::Accuracy));
   this->Mapper->SetReuseFrames(look.Values[Row::ImageCache] != 0);
@@ -236,6 +279,8 @@ void VolumeView::Apply(Look& look)
     this->Clip->SetNormal(look.Clip.Normal.data());
     this->Mapper->AddClippingPlane(this->Clip);
   }
+  this->Beside.Apply(look, property->GetRGBTransferFunction());
+  this->Applied = look;
 }
 
 // In the world.
@@ -277,6 +322,7 @@ CameraState VolumeView::Camera() const
   camera->GetFocalPoint(state.FocalPoint.data());
   camera->GetViewUp(state.ViewUp.data());
   state.ViewAngle = camera->GetViewAngle();
+  state.ParallelScale = camera->GetParallelScale();
   return state;
 }
 
@@ -302,6 +348,7 @@ void VolumeView::SetCamera(const CameraState& state)
   camera->SetFocalPoint(state.FocalPoint.data());
   camera->SetViewUp(state.ViewUp.data());
   camera->SetViewAngle(state.ViewAngle);
+  camera->SetParallelScale(state.ParallelScale);
   this->Renderer->ResetCameraClippingRange();
 }
 
@@ -317,25 +364,101 @@ bool VolumeView::BuildIsomap(const Progress& progress)
 
 vtkSmartPointer<vtkImageData> VolumeView::LastFrame()
 {
-  vtkNew<vtkImageData> picture;
-  if (!this->Mapper->GetLastFrame(picture, vtkTemporalCoherenceVolumeMapper::FRAME_COLOR))
+  vtkNew<vtkImageData> frame;
+  using M = vtkTemporalCoherenceVolumeMapper;
+  if (!this->Mapper->GetLastFrame(frame, M::FRAME_COLOR | M::FRAME_DEPTH))
   {
     throw UserError("There is no picture yet; open a volume first.");
   }
-  return OnBackground(picture, Background, Background);
+  return this->Finished(frame, true);
 }
 
-vtkSmartPointer<vtkImageData> VolumeView::Picture(int width, int height, const Progress& progress)
+vtkSmartPointer<vtkImageData> VolumeView::Picture(
+  int width, int height, const Progress& progress, bool hasBackground)
 {
-  vtkNew<vtkImageData> picture;
+  vtkNew<vtkImageData> frame;
   this->Renderer->ResetCameraClippingRange();
   const Watched watch(this->Mapper, vtkCommand::VolumeMapperRenderProgressEvent, progress);
-  if (!this->Mapper->MakeImage(this->Renderer, this->Actor, width, height, picture, nullptr))
+  // Without annotations, depths would only take memory.
+  const bool isMade = this->Beside.HasAny()
+    ? this->Mapper->MakeImage(this->Renderer, this->Actor, width, height, frame)
+    : this->Mapper->MakeImage(this->Renderer, this->Actor, width, height, frame, nullptr);
+  if (!isMade)
   {
     throw UserError(watch.IsStopped ? "The picture was stopped, and is not saved."
                                     : "The picture could not be made; choose a smaller size.");
   }
-  return OnBackground(picture, Background, Background);
+  return this->Finished(frame, hasBackground);
+}
+
+// With annotations, as large as they are in the view.
+vtkSmartPointer<vtkImageData> VolumeView::Finished(vtkImageData* frame, bool hasBackground)
+{
+  if (this->Beside.HasAny())
+  {
+    vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkCamera> camera;
+    camera->DeepCopy(this->Renderer->GetActiveCamera());
+    renderer->SetActiveCamera(camera);
+    renderer->SetBackground(this->Renderer->GetBackground());
+    Annotations annotations(renderer);
+    annotations.Show(this->Shown, this->Component, this->Bounds);
+    annotations.Apply(this->Applied, this->Actor->GetProperty()->GetRGBTransferFunction());
+    const int* const size = this->Renderer->GetSize();
+    annotations.DrawOver(frame, size[1] > 0 ? 1.0 * frame->GetDimensions()[1] / size[1] : 1.0);
+  }
+  const auto& ground = Backgrounds[static_cast<std::size_t>(this->Applied.Choice(Row::Background))];
+  return hasBackground ? OnBackground(frame, ground, ground) : WithoutBackground(frame);
+}
+
+// Where the ray through the pixel meets the clipping plane.
+std::optional<VolumeView::Seen> VolumeView::CutAt(int x, int y)
+{
+  if (!this->Beside.ShowsCut())
+  {
+    return std::nullopt;
+  }
+  std::array<Point, 2> ends; // of the ray
+  for (std::size_t end = 0; end < 2; ++end)
+  {
+    this->Renderer->SetDisplayPoint(x + 0.5, y + 0.5, static_cast<double>(end));
+    this->Renderer->DisplayToWorld();
+    const double* const world = this->Renderer->GetWorldPoint();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      ends[end][axis] = world[axis] / world[3];
+    }
+  }
+  Seen seen;
+  double share = 0.0;
+  if (!vtkPlane::IntersectWithLine(ends[0].data(), ends[1].data(), this->Clip->GetNormal(),
+        this->Clip->GetOrigin(), share, seen.Place.data()))
+  {
+    return std::nullopt;
+  }
+  const std::optional<double> sample = this->Beside.SampleAt(seen.Place);
+  seen.Value = sample.value_or(0.0);
+  seen.IsCut = true;
+  return sample ? std::optional<Seen>(seen) : std::nullopt;
+}
+
+std::optional<VolumeView::Seen> VolumeView::SeenAt(int x, int y)
+{
+  std::optional<Seen> seen = this->CutAt(x, y);
+  Seen surface;
+  Point normal;
+  int index = -1;
+  const bool isHit =
+    this->Mapper->PickPixel(x, y, surface.Place.data(), normal.data(), &index) && index >= 0;
+  const double* const eye = this->Renderer->GetActiveCamera()->GetPosition();
+  const auto distance = [eye](const Seen& of)
+  { return vtkMath::Distance2BetweenPoints(of.Place.data(), eye); };
+  if (isHit && (!seen || distance(surface) < distance(*seen)))
+  {
+    surface.Value = this->Actor->GetProperty()->GetIsoSurfaceValues()->GetValue(index);
+    return surface;
+  }
+  return seen;
 }
 
 Rgb VolumeView::ColorOf(const Marker& marker) const

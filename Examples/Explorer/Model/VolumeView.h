@@ -4,6 +4,7 @@
 #define VolumeView_h
 
 #include "Files/VolumeReader.h"
+#include "Model/Annotations.h"
 #include "Model/Session.h"
 
 #include <vtkImageData.h>
@@ -36,6 +37,7 @@ public:
   // By the mapper that there is, or by a new one.
   void Show(
     const Volume& volume, int component, const std::array<double, 2>& range, const Mapping& by);
+  bool CanShowCut() const { return this->Beside.CanShowCut(); }
   void Apply(Look& look); // tells the shading that it has, if that is the material's
 
   // All of the volume is seen; the axes are those of the command line.
@@ -48,10 +50,21 @@ public:
   // For all isovalues in this view. False if it was stopped, or if there can be none.
   bool BuildIsomap(const Progress& progress);
 
-  // The view alone, as it was drawn last, or final and with so many pixels. Both throw UserError.
+  // The view as it was drawn last, or final and with so many pixels, in any thread. Without a
+  // background, a picture has an alpha. Both throw UserError.
   vtkSmartPointer<vtkImageData> LastFrame();
   vtkSmartPointer<vtkImageData> Picture(
-    int width, int height, const Progress& progress = [](double) { return true; });
+    int width, int height, const Progress& progress = [](double) { return true; },
+    bool hasBackground = true);
+
+  // What is seen at a pixel of the view, from its lower left corner.
+  struct Seen
+  {
+    Point Place = {};
+    double Value = 0.0;
+    bool IsCut = false; // a sample on the clipping plane; else a surface
+  };
+  std::optional<Seen> SeenAt(int x, int y);
 
   Rgb ColorOf(const Marker& marker) const;
   const std::array<double, 2>& ValueRange() const { return this->Range; }
@@ -65,7 +78,11 @@ public:
   Mapping Mapper;
 
 private:
+  void SetProjection(bool isParallel);
   void SetMarkers(const std::vector<Marker>& markers);
+  void SetGreys(const std::vector<Marker>& ends);
+  std::optional<Seen> CutAt(int x, int y);
+  vtkSmartPointer<vtkImageData> Finished(vtkImageData* frame, bool hasBackground);
   double LongestEdge() const;
 
   vtkNew<vtkVolume> Actor;
@@ -73,6 +90,10 @@ private:
   std::array<double, 2> Range = { 0.0, 1.0 };
   Box Bounds = {}, BoundsInWorld = {};
   bool HasCells = false;
+  Volume Shown;
+  int Component = 0;
+  Look Applied;
+  Annotations Beside{ this->Renderer };
 };
 
 #endif

@@ -187,7 +187,9 @@ void HistogramPanel::DrawMarkers(QPainter& painter) const
     painter.drawEllipse(line[i], size, size);
     if (isSelected)
     {
-      const QString label = this->Data.DrawsSurfaces()
+      const QString label = this->Data.Projects()
+        ? (i == 0 ? tr("Black %1") : tr("White %1")).arg(Short(marker.Value))
+        : this->Data.DrawsSurfaces()
         ? tr("Isovalue %1").arg(Short(marker.Value))
         : tr("%1: %2 %").arg(Short(marker.Value)).arg(100.0 * marker.Opacity, 0, 'f', 1);
       const double width = this->fontMetrics().horizontalAdvance(label);

@@ -63,6 +63,9 @@ public:
     const bool areSurfaces = this->Bench.Data.DrawsSurfaces();
     this->setHorizontalHeaderLabels(
       { areSurfaces ? tr("Isovalue") : tr("Value"), tr("Colour"), tr("Opacity") });
+    // Black and white are what they are.
+    this->setColumnHidden(Colour, this->Bench.Data.Projects());
+    this->setColumnHidden(Opacity, this->Bench.Data.Projects());
     this->setRowCount(static_cast<int>(this->Bench.Markers().size()));
     int row = 0;
     for (const Marker& marker : this->Bench.Markers())
@@ -142,6 +145,10 @@ QWidget* MakeMarkersPanel(
   auto* form = new Form(bench);
   auto* table = new MarkerTable(bench, colors);
   form->AddSetting(AllSettings()[Row::Drawing]);
+  form->AddSetting(AllSettings()[Row::Preset]);
+  form->AddSetting(AllSettings()[Row::Shift]);
+  form->AddSetting(AllSettings()[Row::Window]);
+  form->AddSetting(AllSettings()[Row::Level]);
   form->Add(table);
   form->OnChange([table] { table->Refresh(); });
   form->AddButtons(buttons);

@@ -15,6 +15,7 @@ QWidget* MakeMarkersPanel(
   Workbench& bench, const QList<QAction*>& buttons, const QList<QAction*>& colors);
 QWidget* MakeLightPanel(Workbench& bench);
 QWidget* MakeClippingPanel(Workbench& bench);
+QWidget* MakeScenePanel(Workbench& bench); // what is beside the volume, and pictures
 QWidget* MakeReusePanel(Workbench& bench);
 QWidget* MakeStatistics(Workbench& bench); // of the last 200 frames
 QWidget* MakeTimePanel(Workbench& bench);

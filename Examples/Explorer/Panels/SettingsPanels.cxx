@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Light and material, clipping, re-use.
+// Light and material, clipping, what is beside the volume, re-use.
 #include "Panels/Form.h"
 #include "Panels/Panels.h"
 
@@ -56,6 +56,13 @@ QWidget* MakeClippingPanel(Workbench& bench)
     turn("Z", "cut across Z", across(2)), turn("View", "cut as seen from here", alongView),
     turn("Flip", "show the other side", flip) });
   form->AddSettings("Crop");
+  return form;
+}
+
+QWidget* MakeScenePanel(Workbench& bench)
+{
+  auto* form = new Form(bench);
+  form->AddSettings("Scene");
   return form;
 }
 

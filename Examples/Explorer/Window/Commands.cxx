@@ -87,7 +87,7 @@ const std::vector<Command>& AllCommands()
     { "&Edit", "&Undo", "Ctrl+Z", "undo the last change of settings", Need::Undo, nullptr },
     { "&Edit", "&Redo", "Ctrl+Shift+Z; Ctrl+Y", "do again what was undone", Need::Redo, nullptr },
     { "&Edit", "&Add Surface", "Ctrl+N; +", "add another surface, or node of the opacity",
-      Need::Data, [](W&, B& bench) { bench.AddMarker(); } },
+      Need::Addable, [](W&, B& bench) { bench.AddMarker(); } },
     { "&Edit", "&Remove Surface", "Ctrl+D; -", "remove the selected surface, or node",
       Need::Removable, [](W&, B& bench) { bench.RemoveMarker(); } },
     { "&Edit", "&Colour...", "", "colour of the selected surface, or node", Need::Data, AskColor },

@@ -19,6 +19,7 @@ struct Command
     Nothing,
     Data, // that are open, and a view that may change
     Steps,
+    Addable,   // markers of which there may be more
     Removable, // a marker that can be removed
     Undo,
     Redo,

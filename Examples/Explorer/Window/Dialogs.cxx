@@ -8,6 +8,7 @@
 
 #include <QColorDialog>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFile>
@@ -122,7 +123,11 @@ void AskFilm(QMainWindow& window, Workbench& bench)
 {
   SizeDialog dialog(window, bench, QObject::tr("Make a film"));
   auto* motion = new QComboBox;
-  motion->addItems({ QObject::tr("turn around the volume"), QObject::tr("sweep the isovalue") });
+  motion->addItem(QObject::tr("turn around the volume"));
+  if (!bench.Data.Projects())
+  {
+    motion->addItem(QObject::tr("sweep the isovalue"));
+  }
   dialog.Rows->addRow(QObject::tr("Motion"), motion);
   const QSpinBox* frames = dialog.AddNumber(QObject::tr("Frames"), 120, 10000);
   if (dialog.Ask())
@@ -134,6 +139,8 @@ void AskFilm(QMainWindow& window, Workbench& bench)
 
 void SaveWindow(QWidget& window, const std::string& path)
 {
+  // Panels whose rows have changed are laid out soon: now.
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   QFile file(QFile::decodeName(path.c_str()));
   if (!file.open(QFile::WriteOnly) || !window.grab().save(&file, "PNG"))
   {

@@ -16,6 +16,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
@@ -32,6 +33,8 @@ namespace
 
 constexpr int ProgressAfter = 250; // ms: what is over sooner needs no bar
 constexpr int MostRecent = 10;
+constexpr double StepOfWheels = 120.0; // of a mouse's
+constexpr int PointAfter = 40;         // ms: what the pointer rests on is told
 
 // All keys, for those who do not know them yet.
 QWidget* MakeKeysPanel()
@@ -58,6 +61,7 @@ MainWindow::MainWindow(Workbench& bench)
   , Picture(new QVTKOpenGLNativeWidget)
   , Samples(new HistogramPanel(bench))
   , Sentence(new QLabel)
+  , UnderPointer(new QLabel)
   , Progress(new QProgressBar)
   , StopButton(new QToolButton)
 {
@@ -67,6 +71,14 @@ MainWindow::MainWindow(Workbench& bench)
   this->MakeMenus();
   this->MakeDocks();
   this->MakeStatusBar();
+  bench.OnMissing = [this](const std::string& path)
+  {
+    const QString name = QFile::decodeName(path.c_str());
+    const QString chosen = QFileDialog::getOpenFileName(this,
+      tr("%1 is not there any more: where is it now?").arg(QFileInfo(name).fileName()),
+      QFileInfo(name).absolutePath());
+    return chosen.isEmpty() ? path : QFile::encodeName(chosen).toStdString();
+  };
   QObject::connect(&bench, &Workbench::Settled, this, &MainWindow::ShowState);
   QObject::connect(&bench, &Workbench::Opened, this, &MainWindow::OnOpened);
   this->ShowState();
@@ -141,7 +153,7 @@ void MainWindow::MakeMenus()
   view->addSeparator();
 }
 
-// The next value, by the key alone; with Shift, the one before.
+// A menu with ticks for each choice. The key takes the next value, with Shift the one before.
 void MainWindow::MakeSettingsMenu(QMenu* menu)
 {
   for (const Setting& choice : AllSettings())
@@ -161,9 +173,45 @@ void MainWindow::MakeSettingsMenu(QMenu* menu)
           }
         });
       item->setShortcut(QKeySequence(QString(turn > 0 ? "%1" : "Shift+%1").arg(choice.Key)));
-      turn > 0 ? menu->addAction(item) : this->addAction(item);
+      this->addAction(item);
     }
+    this->AddChoiceMenu(menu, choice);
   }
+}
+
+// As the key alone does, in a menu: words to choose from, or a tick.
+void MainWindow::AddChoiceMenu(QMenu* menu, const Setting& choice)
+{
+  const bool isSwitch = choice.Words[0] == std::string("off");
+  QMenu* words =
+    isSwitch ? menu : menu->addMenu(tr("%1\t%2").arg(tr(choice.Label)).arg(choice.Key));
+  std::vector<QAction*> items;
+  for (std::size_t word = isSwitch ? 1 : 0; word < choice.Words.size(); ++word)
+  {
+    const QString text =
+      isSwitch ? tr("%1\t%2").arg(tr(choice.Label)).arg(choice.Key) : tr(choice.Words[word]);
+    QAction* item = words->addAction(text,
+      [this, &choice, word, isSwitch]
+      {
+        const int now = this->Bench.Data.Settings().Choice(static_cast<Row::Which>(choice.Place()));
+        this->Bench.Turn(choice.Place(), isSwitch ? 1 : static_cast<int>(word) - now);
+      });
+    item->setCheckable(true);
+    item->setStatusTip(tr(choice.Help));
+    items.push_back(item);
+  }
+  QObject::connect(menu, &QMenu::aboutToShow, this,
+    [this, words, items, &choice, isSwitch]
+    {
+      const bool isOpen = this->Bench.Data.IsOpen();
+      const double now = isOpen ? this->Bench.Data.Settings().Values[choice.Place()] : -1.0;
+      for (std::size_t i = 0; i < items.size(); ++i)
+      {
+        items[i]->setChecked(now == static_cast<double>(i + (isSwitch ? 1 : 0)));
+        items[i]->setEnabled(isOpen && this->Bench.Data.Offers(choice));
+      }
+      words->menuAction()->setEnabled(isOpen && (isSwitch || this->Bench.Data.Offers(choice)));
+    });
 }
 
 QDockWidget* MainWindow::AddDock(
@@ -202,11 +250,13 @@ void MainWindow::MakeDocks()
   QDockWidget* surfaces = this->AddDock(right, tr("Surfaces"), markers, false);
   QDockWidget* clip = this->AddDock(right, tr("Clip"), MakeClippingPanel(this->Bench), false);
   QDockWidget* light = this->AddDock(right, tr("Light"), MakeLightPanel(this->Bench), false);
-  QDockWidget* reuse = this->AddDock(right, tr("Re-use"), MakeReusePanel(this->Bench), false);
+  QDockWidget* scene = this->AddDock(right, tr("Scene"), MakeScenePanel(this->Bench), false);
   QDockWidget* data = this->AddDock(right, tr("Data"), MakeDataPanel(this->Bench), false);
+  QDockWidget* reuse = this->AddDock(right, tr("Re-use"), MakeReusePanel(this->Bench), false);
   this->tabifyDockWidget(clip, light);
-  this->tabifyDockWidget(light, reuse);
-  this->tabifyDockWidget(reuse, data);
+  this->tabifyDockWidget(light, scene);
+  this->tabifyDockWidget(scene, data);
+  this->tabifyDockWidget(data, reuse);
   clip->raise();
   QDockWidget* histogram = this->AddDock(bottom, tr("Histogram"), this->Samples, true);
   this->Time = this->AddDock(bottom, tr("Time"), MakeTimePanel(this->Bench), true);
@@ -232,6 +282,12 @@ void MainWindow::MakeStatusBar()
   this->Sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   this->StopButton->setDefaultAction(this->Actions["Stop"]);
   this->statusBar()->addWidget(this->Sentence, 1);
+  this->UnderPointer->setObjectName("under pointer");
+  this->UnderPointer->setToolTip(tr("What the pointer is on: its value, and where it is"));
+  this->statusBar()->addPermanentWidget(this->UnderPointer);
+  this->Pointing.setSingleShot(true);
+  this->Pointing.setInterval(PointAfter);
+  QObject::connect(&this->Pointing, &QTimer::timeout, this, &MainWindow::ShowUnderPointer);
   this->Progress->setObjectName("progress");
   this->Progress->setToolTip(tr("How far the work, or the picture, is"));
   this->statusBar()->addPermanentWidget(this->Progress);
@@ -261,6 +317,24 @@ void MainWindow::MakeStatusBar()
       this->Progress->setRange(0, 100);
       this->Progress->setValue(static_cast<int>(100.0 * share));
     });
+}
+
+void MainWindow::ShowUnderPointer()
+{
+  if (!this->Bench.Data.IsOpen() || this->Bench.IsBuilding() ||
+    QApplication::mouseButtons() != Qt::NoButton)
+  {
+    return;
+  }
+  const double pixels = this->Picture->devicePixelRatioF();
+  const int height = this->Bench.Data.View.Renderer->GetSize()[1];
+  const auto seen = this->Bench.Data.View.SeenAt(static_cast<int>(pixels * this->Pointer.x()),
+    height - 1 - static_cast<int>(pixels * this->Pointer.y()));
+  this->UnderPointer->setText(!seen
+      ? ""
+      : (seen->IsCut ? tr("%1 at %2, %3, %4") : tr("Surface %1 at %2, %3, %4"))
+          .arg(Short(seen->Value), Short(seen->Place[0]), Short(seen->Place[1]),
+            Short(seen->Place[2])));
 }
 
 void MainWindow::ShowRecent(QMenu* menu)
@@ -307,6 +381,7 @@ void MainWindow::ShowState()
       this->Actions[QString(command.Name).remove('&')]->setEnabled(command.Needs == Need::Nothing ||
         (command.Needs == Need::Data && mayChange) ||
         (command.Needs == Need::Steps && isOpen && this->Bench.Data.Data().TimeSteps > 1) ||
+        (command.Needs == Need::Addable && mayChange && !this->Bench.Data.Projects()) ||
         (command.Needs == Need::Removable && isOpen && this->Bench.CanRemove()));
     }
   }
@@ -367,9 +442,17 @@ bool MainWindow::eventFilter(QObject*, QEvent* event)
       QApplication::sendEvent(this->Picture, &press);
       return true;
     }
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseMove:
     case QEvent::Wheel:
+      if (!this->Bench.IsBuilding() && this->Bench.Data.IsOpen())
+      {
+        this->Bench.Zoom(static_cast<QWheelEvent*>(event)->angleDelta().y() / StepOfWheels);
+      }
+      return true;
+    case QEvent::MouseMove:
+      this->Pointer = static_cast<QMouseEvent*>(event)->pos();
+      this->Pointing.start();
+      [[fallthrough]];
+    case QEvent::MouseButtonPress:
       // It is drawn no more than its picture is changed.
       return this->Bench.IsBuilding() || !this->Bench.Data.IsOpen();
     default:

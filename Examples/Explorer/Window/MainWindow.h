@@ -37,11 +37,13 @@ private:
   void MakeView();
   void MakeMenus();
   void MakeSettingsMenu(QMenu* menu);
+  void AddChoiceMenu(QMenu* menu, const Setting& choice);
   void MakeDocks();
   QDockWidget* AddDock(Qt::DockWidgetArea area, const QString& name, QWidget* panel, bool isWhole);
   void MakeStatusBar();
   void ShowRecent(QMenu* menu);
   void OnOpened();
+  void ShowUnderPointer();
   void ShowState();
   void ShowProgress();
 
@@ -51,8 +53,11 @@ private:
   HistogramPanel* Samples;
   QDockWidget* Time = nullptr;
   QLabel* Sentence;
+  QLabel* UnderPointer;
   QProgressBar* Progress;
   QToolButton* StopButton;
+  QPoint Pointer; // in the view
+  QTimer Pointing;
   double Refined = 1.0; // of the picture; 1: it is final
   std::map<QString, QMenu*> Menus;
   std::map<QString, QAction*> Actions; // by their names, without ampersands

@@ -28,8 +28,18 @@ namespace
 constexpr double ProgressStep = 0.01; // of the whole
 constexpr int SettleAfter = 100;      // ms: what is drawn in each frame delays it
 
-constexpr double RateOfDrags = 15.0; // frames a second
+// Frames a second. Those of blended volumes take long, so that the still ones, too, are made in
+// parts: events do not wait longer than for one part.
+constexpr double RateOfDrags = 20.0;
 constexpr double RateOfStills = 1e-4;
+constexpr double RateOfParts = 19.0;
+
+// Of surfaces that are added to the first.
+constexpr std::array<Rgb, 4> Contrasts = { { { 0.96, 0.90, 0.72 }, { 0.36, 0.66, 0.92 },
+  { 0.92, 0.42, 0.36 }, { 0.48, 0.80, 0.50 } } };
+
+constexpr double OuterOpacity = 0.35;
+constexpr double ZoomOfStep = 1.21; // as VTK's styles have it
 
 class LookChange : public QUndoCommand
 {
@@ -201,22 +211,50 @@ void Workbench::Edit(const QString& name, const Change& change)
   {
     Look look = this->Data.Settings();
     change(look);
+    this->Data.ForgetPreset(look);
     this->Changes.push(new LookChange(*this, name, this->Gesture, look));
   }
 }
 
+void Workbench::Zoom(double steps)
+{
+  vtkRenderer* const renderer = this->Data.View.Renderer;
+  const double factor = std::pow(ZoomOfStep, steps);
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  if (camera->GetParallelProjection())
+  {
+    camera->SetParallelScale(camera->GetParallelScale() / factor);
+  }
+  else
+  {
+    camera->Dolly(factor);
+    renderer->ResetCameraClippingRange();
+  }
+  this->RenderSoon();
+}
+
 void Workbench::SetDragging(bool isDragging)
 {
-  this->Window->SetDesiredUpdateRate(isDragging ? RateOfDrags : RateOfStills);
+  this->IsDragging = isDragging;
+  this->SetRates();
   if (!isDragging && this->Data.IsOpen())
   {
     this->RenderSoon(); // which refines it
   }
 }
 
+void Workbench::SetRates()
+{
+  const double still = this->Data.IsOpen() && this->Data.Blends() ? RateOfParts : RateOfStills;
+  this->Window->GetInteractor()->SetDesiredUpdateRate(RateOfDrags);
+  this->Window->GetInteractor()->SetStillUpdateRate(still);
+  this->Window->SetDesiredUpdateRate(this->IsDragging ? RateOfDrags : still);
+}
+
 void Workbench::Show(const Look& look)
 {
   this->Data.SetSettings(look, !this->Builds);
+  this->SetRates();
   this->RenderSoon();
   emit this->Changed();
 }
@@ -227,20 +265,14 @@ void Workbench::Turn(std::size_t choice, int steps)
     [&](Look& look)
     {
       const auto count = static_cast<int>(AllSettings()[choice].Words.size());
-      look.Values[choice] = (static_cast<int>(look.Values[choice]) + steps + count) % count;
+      this->Data.SetChoice(
+        look, choice, (static_cast<int>(look.Values[choice]) + steps + count) % count);
     });
-}
-
-double& Workbench::NumberOf(const Setting& number, Look& look)
-{
-  const std::size_t row = number.Place();
-  return row < Row::Count ? look.Values[row] : this->Data.MarkersOf(look)[this->Selected()].Opacity;
 }
 
 double Workbench::ShareOf(const Setting& number)
 {
-  Look look = this->Data.Settings();
-  const double value = this->NumberOf(number, look);
+  const double value = this->Data.NumberOf(number, this->Data.Settings(), this->Selected());
   const auto [least, most] = this->Data.RangeOf(number);
   const double share = number.IsLogarithmic ? std::log(value / least) / std::log(most / least)
                                             : (value - least) / (most - least);
@@ -253,12 +285,9 @@ void Workbench::SetShare(const Setting& number, double share)
     [&](Look& look)
     {
       const auto [least, most] = this->Data.RangeOf(number);
-      this->NumberOf(number, look) = number.IsLogarithmic ? least * std::pow(most / least, share)
-                                                          : least + share * (most - least);
-      if (number.Switch < Row::Count)
-      {
-        look.Values[number.Switch] = 1;
-      }
+      this->Data.SetNumber(number, look, this->Selected(),
+        number.IsLogarithmic ? least * std::pow(most / least, share)
+                             : least + share * (most - least));
     });
 }
 
@@ -358,6 +387,7 @@ void Workbench::Take(Request& loaded)
   }
   this->SelectedMarker = 0;
   this->Changes.clear();
+  this->SetRates();
   emit this->Opened(!loaded.IsSameFile);
   emit this->Settled();
   const std::string& remark = this->Data.Data().Remark;
@@ -381,6 +411,11 @@ void Workbench::OpenPath(const QString& name)
   {
     this->SessionFile = path;
     session = ReadSession(path);
+    std::string& volume = session.Source.Path;
+    if (!volume.empty() && !QFile::exists(QFile::decodeName(volume.c_str())) && this->OnMissing)
+    {
+      volume = this->OnMissing(volume);
+    }
   }
   this->Open(session);
 }
@@ -448,7 +483,9 @@ void Workbench::SavePicture(const std::string& path, int width, int height)
   const auto picture = std::make_shared<vtkSmartPointer<vtkImageData>>();
   this->StartOnView(
     "Making the picture",
-    [=](const Progress& progress) { *picture = this->Data.View.Picture(width, height, progress); },
+    [=, hasBackground = this->Data.Settings().Values[Row::Transparency] == 0.0](
+      const Progress& progress)
+    { *picture = this->Data.View.Picture(width, height, progress, hasBackground); },
     [=]
     {
       if (!path.empty())
@@ -559,6 +596,10 @@ void Workbench::EditMarker(const QString& name, const std::function<void(Marker&
 
 void Workbench::AddMarker(const Marker& marker)
 {
+  if (this->Data.Projects()) // from black to white: two ends
+  {
+    return;
+  }
   std::size_t place = this->Markers().size();
   this->EditOnce(tr("marker"),
     [&](Look& look)
@@ -578,7 +619,24 @@ void Workbench::AddMarker()
   Marker marker = this->Markers()[this->Selected()];
   const double share = this->Data.ShareOf(marker.Value);
   marker.Value = this->Data.ValueAt(share + (share < 0.5 ? 0.2 : -0.2));
+  if (this->Data.DrawsSurfaces())
+  {
+    marker.Color = Contrasts[(this->Markers().size() - 1) % Contrasts.size()];
+    marker.Opacity = 1.0;
+  }
+  const bool hidesOther = this->Data.DrawsSurfaces() && this->Markers().size() == 1;
   this->AddMarker(marker);
+  if (hidesOther)
+  {
+    // The outer one, as a rule that of less value, lets the other one be seen.
+    this->Edit(tr("marker"),
+      [](Look& look)
+      {
+        std::vector<Marker>& both = look.Surfaces;
+        Marker& outer = both[0].Value < both[1].Value ? both[0] : both[1];
+        outer.Opacity = std::min(outer.Opacity, OuterOpacity);
+      });
+  }
 }
 
 void Workbench::RemoveMarker()

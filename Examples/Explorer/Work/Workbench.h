@@ -50,6 +50,7 @@ public:
     this->BeginGesture();
     this->Edit(name, change);
   }
+  void Zoom(double steps);           // nearer, as a wheel is turned; drawn once for all steps
   void SetDragging(bool isDragging); // frames are to be made fast, or well
   void Show(const Look& look);       // as it is, for undo
   void Turn(std::size_t choice, int steps);
@@ -97,9 +98,10 @@ public:
   Model Data;
   QUndoStack Changes;
   Recorder Output;
-  vtkNew<vtkTemporalCoherenceRefiner> Refiner;       // of the window
-  std::string SessionFile;                           // to save to and to restore from
-  std::function<void(const std::string&)> OnRefused; // while set, it is told of what fails
+  vtkNew<vtkTemporalCoherenceRefiner> Refiner;              // of the window
+  std::string SessionFile;                                  // to save to and to restore from
+  std::function<void(const std::string&)> OnRefused;        // while set, it is told of what fails
+  std::function<std::string(const std::string&)> OnMissing; // where the volume of a session is now
 
 signals:
   void Opened(bool isOtherFile); // or another array or step of the same one
@@ -111,13 +113,13 @@ signals:
   void Said(const QString& sentence, bool isWarning);
 
 private:
-  double& NumberOf(const Setting& number, Look& look);
   using Job = std::function<void(const Progress&)>;
   void Start(const std::string& what, const Job& job, const std::function<void()>& done);
   void StartOnView(const std::string& what, const Job& job, const std::function<void()>& done);
   void Finish(std::packaged_task<void()>& task, const std::function<void()>& done);
   void Load(Request request);
   void Take(Request& loaded);
+  void SetRates(); // of frames, as something is dragged or not
   void ListenToMapper();
   void OnMessage(vtkObject*, unsigned long, void* text);
   void OnFrameBegin();
@@ -133,6 +135,7 @@ private:
   std::optional<Request> Next; // to be loaded after what is being stopped
   std::atomic<bool> IsStopped{ false };
   bool Builds = false;
+  bool IsDragging = false;
   int Gesture = 0;
   std::size_t SelectedMarker = 0;
   double FrameBegan = 0.0;

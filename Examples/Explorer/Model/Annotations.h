@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Annotations_h
+#define Annotations_h
+
+#include "Files/Volume.h"
+#include "Model/Settings.h"
+
+#include <vtkAxesActor.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkImageData.h>
+#include <vtkImageResliceMapper.h>
+#include <vtkImageSlice.h>
+#include <vtkLegendScaleActor.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkOutlineSource.h>
+#include <vtkPlane.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkSmartPointer.h>
+
+// What a picture has beside the volume: samples on the clipping plane, the outline of the box,
+// axes, a scale bar and a colour bar.
+class Annotations
+{
+public:
+  explicit Annotations(vtkRenderer* renderer);
+
+  // Of a volume in its place, with the bounds of its data.
+  void Show(const Volume& volume, int component, const Box& bounds);
+  void Apply(const Look& look, vtkColorTransferFunction* colors);
+
+  // Samples at points of an image.
+  bool CanShowCut() const { return this->Samples != nullptr; }
+  bool HasAny() const;
+  bool ShowsCut() const { return this->Cut->GetVisibility() != 0; }
+
+  // The sample at a place in the world by the interpolant; none beside the data.
+  std::optional<double> SampleAt(const Point& place) const;
+
+  // Lays them over a picture that the mapper made as the renderer's camera sees it, with Color and
+  // Depth. pixels: of the picture for each of the view. In any thread.
+  void DrawOver(vtkImageData* picture, double pixels);
+
+private:
+  void PlaceCut(const Look& look, vtkColorTransferFunction* colors);
+  void PlaceCrop(const Look& look);
+
+  vtkRenderer* Renderer;
+  vtkNew<vtkImageSlice> Cut;
+  vtkNew<vtkImageResliceMapper> CutMapper;
+  vtkNew<vtkPlane> CutPlane;
+  vtkNew<vtkColorTransferFunction> Greys;
+  vtkNew<vtkOutlineSource> Outline;
+  vtkNew<vtkPolyDataMapper> OutlineMapper;
+  vtkNew<vtkActor> OutlineActor;
+  vtkNew<vtkAxesActor> Axes;
+  vtkNew<vtkLegendScaleActor> ScaleBar;
+  vtkNew<vtkScalarBarActor> ColorBar;
+  vtkNew<vtkMatrix4x4> Placement;        // from the data's space to the world
+  vtkSmartPointer<vtkImageData> Samples; // one component, along its own axes; may be null
+  vtkNew<vtkMatrix4x4> SamplesToWorld;
+  Box Bounds = {};
+};
+
+#endif

@@ -37,8 +37,8 @@ public:
 
   //@{
   /**
-   * Get how many presets there are, and their names: from 0 on. The name is null if there is none
-   * of that index.
+   * Get the number of presets, and the name of the one with an index, from 0 on. A wrong index has
+   * no name: null.
    */
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index);

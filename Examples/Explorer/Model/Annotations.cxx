@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 
 namespace
 {
@@ -116,9 +117,10 @@ Annotations::Annotations(vtkRenderer* renderer)
   this->ColorBar->SetPosition(0.9, 0.15);
   this->ColorBar->SetWidth(0.07);
   this->ColorBar->SetHeight(0.7);
-  for (vtkProp* prop : { static_cast<vtkProp*>(this->Cut),
-         static_cast<vtkProp*>(this->OutlineActor), static_cast<vtkProp*>(this->Axes),
-         static_cast<vtkProp*>(this->ScaleBar), static_cast<vtkProp*>(this->ColorBar) })
+  for (vtkProp* prop :
+    { static_cast<vtkProp*>(this->Cut), static_cast<vtkProp*>(this->OutlineActor),
+      static_cast<vtkProp*>(this->Axes), static_cast<vtkProp*>(this->ScaleBar),
+      static_cast<vtkProp*>(this->ColorBar), static_cast<vtkProp*>(this->Ruler) })
   {
     prop->VisibilityOff();
     prop->PickableOff();
@@ -130,6 +132,7 @@ Annotations::Annotations(vtkRenderer* renderer)
 void Annotations::Show(const Volume& volume, int component, const Box& bounds)
 {
   this->Bounds = bounds;
+  this->HideRuler();
   this->Placement->Identity();
   if (volume.Placement)
   {
@@ -152,6 +155,23 @@ bool Annotations::HasAny() const
   return this->Cut->GetVisibility() || this->OutlineActor->GetVisibility() ||
     this->Axes->GetVisibility() || this->ScaleBar->GetVisibility() ||
     this->ColorBar->GetVisibility();
+}
+
+void Annotations::ShowRuler(const Point& from, const Point& to)
+{
+  vtkCoordinate* const begin = this->Ruler->GetPositionCoordinate();
+  vtkCoordinate* const end = this->Ruler->GetPosition2Coordinate();
+  begin->SetCoordinateSystemToWorld();
+  end->SetCoordinateSystemToWorld();
+  end->SetReferenceCoordinate(nullptr);
+  begin->SetValue(from[0], from[1], from[2]);
+  end->SetValue(to[0], to[1], to[2]);
+  std::ostringstream label;
+  label.precision(5);
+  label << std::sqrt(vtkMath::Distance2BetweenPoints(from.data(), to.data()));
+  this->Ruler->SetLabel(label.str().c_str());
+  this->Ruler->SetArrowPlacementToNone();
+  this->Ruler->VisibilityOn();
 }
 
 void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors)
@@ -184,6 +204,9 @@ void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors)
   this->ColorBar->SetVisibility(look.Choice(Row::ColorBar));
   SetInk(this->ColorBar->GetLabelTextProperty(), ink);
   SetInk(this->ColorBar->GetTitleTextProperty(), ink);
+
+  SetInk(this->Ruler->GetLabelTextProperty(), ink);
+  this->Ruler->GetProperty()->SetColor(ink[0], ink[1], ink[2]);
 
   const bool isCut =
     look.Values[Row::Clipping] != 0.0 && look.Values[Row::Cut] != 0.0 && this->CanShowCut();

@@ -11,6 +11,7 @@
 #include <vtkImageData.h>
 #include <vtkImageResliceMapper.h>
 #include <vtkImageSlice.h>
+#include <vtkLeaderActor2D.h>
 #include <vtkLegendScaleActor.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -31,6 +32,10 @@ public:
   // Of a volume in its place, with the bounds of its data.
   void Show(const Volume& volume, int component, const Box& bounds);
   void Apply(const Look& look, vtkColorTransferFunction* colors);
+
+  // In any picture until it is hidden, or until other data are shown.
+  void ShowRuler(const Point& from, const Point& to);
+  void HideRuler() { this->Ruler->VisibilityOff(); }
 
   // Samples at points of an image.
   bool CanShowCut() const { return this->Samples != nullptr; }
@@ -59,6 +64,7 @@ private:
   vtkNew<vtkAxesActor> Axes;
   vtkNew<vtkLegendScaleActor> ScaleBar;
   vtkNew<vtkScalarBarActor> ColorBar;
+  vtkNew<vtkLeaderActor2D> Ruler;
   vtkNew<vtkMatrix4x4> Placement;        // from the data's space to the world
   vtkSmartPointer<vtkImageData> Samples; // one component, along its own axes; may be null
   vtkNew<vtkMatrix4x4> SamplesToWorld;

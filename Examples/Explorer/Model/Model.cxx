@@ -26,7 +26,6 @@ constexpr double MostOpacity = 0.6;     // of a ramp at first
 constexpr double LeastWindow = 1e-3;    // of the range
 // Samples below black and above white of projections, as shares of all.
 constexpr double BelowBlack = 0.01, AboveWhite = 0.0005;
-constexpr double BrightestMean = 1.8; // of a ray, in means of all samples
 // Values of scans whose range is not that of Hounsfield units are taken as this range.
 constexpr double LeastOfScans = -1000.0, MostOfScans = 2000.0;
 constexpr double Stored = 1024.0; // is added by scanners that write no negative values
@@ -60,33 +59,16 @@ double ValueBelow(const Histogram& counted, double share, bool leavesOutLeast = 
     static_cast<double>(std::max<std::size_t>(bins.size() - 1, 1));
 }
 
-double MeanOf(const Histogram& counted)
-{
-  double sum = 0.0, all = 0.0;
-  for (std::size_t bin = 0; bin < counted.Bins.size(); ++bin)
-  {
-    sum += static_cast<double>(bin) * counted.Bins[bin];
-    all += counted.Bins[bin];
-  }
-  return counted.Range[0] +
-    (counted.Range[1] - counted.Range[0]) * sum /
-    (all * static_cast<double>(std::max<std::size_t>(counted.Bins.size() - 1, 1)));
-}
-
-// So that a projection is neither black nor white: its values lie among the largest, the smallest,
-// or in the middle of those of the samples.
+// So that a projection is neither black nor white: its values lie among the largest or the
+// smallest.
 std::vector<Marker> FirstGreys(const Histogram& counted, int drawing)
 {
-  constexpr int minimum = 3, average = 4;
+  constexpr int minimum = 3;
   const double black = drawing == minimum ? counted.Range[0] : ValueBelow(counted, BelowBlack);
   double white = ValueBelow(counted, 1.0 - AboveWhite);
   if (drawing == minimum)
   {
     white = ValueBelow(counted, 0.5, true);
-  }
-  else if (drawing == average)
-  {
-    white = black + BrightestMean * (MeanOf(counted) - black);
   }
   return white > black
     ? std::vector<Marker>{ { black, 0.0 }, { white, 1.0 } }

@@ -245,7 +245,14 @@ void TakeLine(const std::string& text, const std::vector<Field>& fields)
   line.End();
 }
 
-// A view without a direction would draw nothing, nor would one from where numbers end.
+// Where a session lies, for paths that start there.
+fs::path DirectoryOf(const std::string& session)
+{
+  return fs::absolute(session).lexically_normal().parent_path();
+}
+
+}
+
 bool IsUsable(const CameraState& camera)
 {
   constexpr double Farthest = 1e15, Nearest = 1e-9;
@@ -260,14 +267,6 @@ bool IsUsable(const CameraState& camera)
     direction.Cross(up).Norm() > Nearest * distance * up.Norm() && camera.ViewAngle > 1e-5 &&
     camera.ViewAngle < 179.0 && camera.ParallelScale > 1.0 / Farthest &&
     camera.ParallelScale < Farthest;
-}
-
-// Where a session lies, for paths that start there.
-fs::path DirectoryOf(const std::string& session)
-{
-  return fs::absolute(session).lexically_normal().parent_path();
-}
-
 }
 
 bool IsSessionName(const std::string& path)

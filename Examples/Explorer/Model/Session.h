@@ -28,6 +28,9 @@ struct Session
   Look Settings;
 };
 
+// A view without a direction would draw nothing, nor would one from where numbers end.
+bool IsUsable(const CameraState& camera);
+
 // Text, one "key = value" a line. Both throw UserError.
 void WriteSession(Session session, const std::string& path);
 Session ReadSession(const std::string& path);

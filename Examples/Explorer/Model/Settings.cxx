@@ -154,8 +154,8 @@ Look Look::Before()
 
 bool Look::IsProjection() const
 {
-  constexpr int maximum = 2, average = 4; // and the minimum between
-  return this->Choice(Row::Drawing) >= maximum && this->Choice(Row::Drawing) <= average;
+  constexpr int maximum = 2, minimum = 3;
+  return this->Choice(Row::Drawing) == maximum || this->Choice(Row::Drawing) == minimum;
 }
 
 const char* Look::TextOf(Row::Which choice) const

@@ -84,7 +84,7 @@ struct Look
   int Choice(Row::Which what) const { return static_cast<int>(this->Values[what]); }
   const char* TextOf(Row::Which choice) const;
 
-  // Maximum, minimum or average: one value of a ray is shown, in grey.
+  // Maximum or minimum: one value of a ray is shown, in grey.
   bool IsProjection() const;
 
   std::array<double, Row::Count> Values; // of a choice: the place of its word

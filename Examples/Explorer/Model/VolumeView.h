@@ -66,6 +66,10 @@ public:
   };
   std::optional<Seen> SeenAt(int x, int y);
 
+  // A line with its length, in the view alone.
+  void ShowRuler(const Point& from, const Point& to) { this->Beside.ShowRuler(from, to); }
+  void HideRuler() { this->Beside.HideRuler(); }
+
   Rgb ColorOf(const Marker& marker) const;
   const std::array<double, 2>& ValueRange() const { return this->Range; }
   // As they were when it was shown: the mapper is not asked, which may be at work.

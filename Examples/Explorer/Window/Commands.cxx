@@ -8,6 +8,7 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QCursor>
 #include <QDockWidget>
 #include <QFile>
 #include <QMainWindow>
@@ -37,6 +38,13 @@ void TurnUpsideDown(QMainWindow&, Workbench& bench)
 {
   bench.Data.View.Renderer->GetActiveCamera()->Roll(180.0);
   bench.RenderSoon();
+}
+
+// From the first place to the second; a third time, there is no ruler any more.
+void Measure(QMainWindow& window, Workbench& bench)
+{
+  bench.Measure(
+    window.findChild<QWidget*>("view")->mapFromGlobal(QCursor::pos()) * window.devicePixelRatioF());
 }
 
 void SavePictureOfWindow(QMainWindow& window, Workbench& bench)
@@ -79,6 +87,9 @@ const std::vector<Command>& AllCommands()
       AskPicture },
     { "&File", "Save Picture of &Window", "Shift+S", "save a picture of the window, panels and all",
       Need::Nothing, SavePictureOfWindow },
+    { "&File", "E&xport Triangles...", "Ctrl+E",
+      "write the surfaces that are seen as triangles: .stl, .ply or .vtp", Need::Surfaces,
+      AskTriangles },
     { "&File", "&Record", "R", "begin and end a recording of every frame", Need::Data,
       [](W&, B& bench) { bench.ToggleRecording(); } },
     { "&File", "&Film...", "Ctrl+F", "make a film of a turn, or of all isovalues", Need::Data,
@@ -95,6 +106,8 @@ const std::vector<Command>& AllCommands()
       Need::Data, ForgetColor },
     { "&View", "&Reset", "H", "see all of the volume", Need::Data, ResetView },
     { "&View", "&Upside Down", "U", "turn the picture by half a turn", Need::Data, TurnUpsideDown },
+    { "&View", "&Measure Distance", "Ctrl+M",
+      "measure a distance: from where the pointer is, then to where it is", Need::Data, Measure },
     { "&View", "&Full Screen", "F11", "fill the screen, and back", Need::Nothing,
       [](W& window, B&) { window.setWindowState(window.windowState() ^ Qt::WindowFullScreen); } },
     { "&Data", "&Build Isomap", "B", "build the isomap of this view, for all isovalues", Need::Data,

@@ -18,6 +18,7 @@ struct Command
   {
     Nothing,
     Data, // that are open, and a view that may change
+    Surfaces,
     Steps,
     Addable,   // markers of which there may be more
     Removable, // a marker that can be removed
@@ -40,6 +41,7 @@ void AskOpenFolder(QMainWindow& window, Workbench& bench);
 void AskSaveSession(QMainWindow& window, Workbench& bench);
 void AskColor(QMainWindow& window, Workbench& bench); // of the selected marker
 void AskPicture(QMainWindow& window, Workbench& bench);
+void AskTriangles(QMainWindow& window, Workbench& bench);
 void AskFilm(QMainWindow& window, Workbench& bench);
 
 // A window as it is seen. Throws UserError.

@@ -119,6 +119,16 @@ void AskPicture(QMainWindow& window, Workbench& bench)
   }
 }
 
+void AskTriangles(QMainWindow& window, Workbench& bench)
+{
+  const QString path = QFileDialog::getSaveFileName(&window, QObject::tr("Export triangles"),
+    "surface.stl", QObject::tr("Triangles (*.stl *.ply *.vtp)"));
+  if (!path.isEmpty())
+  {
+    bench.ExportTriangles(QFile::encodeName(path).toStdString());
+  }
+}
+
 void AskFilm(QMainWindow& window, Workbench& bench)
 {
   SizeDialog dialog(window, bench, QObject::tr("Make a film"));

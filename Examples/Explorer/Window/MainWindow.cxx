@@ -22,19 +22,30 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QStyle>
 #include <QToolButton>
 
+#include <algorithm>
+#include <iterator>
+
 namespace
 {
 
 constexpr int ProgressAfter = 250; // ms: what is over sooner needs no bar
 constexpr int MostRecent = 10;
+constexpr int MostViews = 50; // that are remembered
+constexpr int NumbersOfView = 11;
 constexpr double StepOfWheels = 120.0; // of a mouse's
 constexpr int PointAfter = 40;         // ms: what the pointer rests on is told
+
+QString PathOf(const VolumeSource& source)
+{
+  return QFileInfo(QFile::decodeName(source.Path.c_str())).absoluteFilePath();
+}
 
 // All keys, for those who do not know them yet.
 QWidget* MakeKeysPanel()
@@ -83,6 +94,83 @@ MainWindow::MainWindow(Workbench& bench)
   QObject::connect(&bench, &Workbench::Opened, this, &MainWindow::OnOpened);
   this->ShowState();
   this->Picture->setFocus();
+}
+
+void MainWindow::TakeUpLast()
+{
+  if (!this->restoreGeometry(QSettings().value("geometry").toByteArray()))
+  {
+    // The frame, which the window system draws, takes some room, too.
+    const QRect screen = this->screen()->availableGeometry();
+    const int frame = 3 * this->fontMetrics().height();
+    this->resize(this->size().boundedTo(screen.size() - QSize(frame / 2, frame)));
+    this->move(screen.center() - this->rect().center());
+  }
+  QObject::connect(&this->Bench, &Workbench::Leaving, this, &MainWindow::KeepView);
+  QObject::connect(&this->Bench, &Workbench::Opened, this,
+    [this](bool isOtherFile)
+    {
+      if (isOtherFile && !this->Bench.Data.State().HasCamera)
+      {
+        this->RecallView();
+      }
+    });
+  this->RemembersViews = true;
+}
+
+// Under the path of the file, the last ones of all.
+void MainWindow::KeepView()
+{
+  const VolumeSource& source = this->Bench.Data.State().Source;
+  if (!this->RemembersViews || source.Path.empty())
+  {
+    return;
+  }
+  const CameraState camera = this->Bench.Data.View.Camera();
+  QVariantList numbers = { camera.ViewAngle, camera.ParallelScale };
+  for (const Point& point : { camera.Position, camera.FocalPoint, camera.ViewUp })
+  {
+    std::copy(point.begin(), point.end(), std::back_inserter(numbers));
+  }
+  QSettings settings;
+  QVariantMap views = settings.value("views").toMap();
+  QStringList order = settings.value("views of").toStringList();
+  const QString path = PathOf(source);
+  order.removeAll(path);
+  order.prepend(path);
+  views[path] = numbers;
+  while (order.size() > MostViews)
+  {
+    views.remove(order.takeLast());
+  }
+  settings.setValue("views", views);
+  settings.setValue("views of", order);
+}
+
+void MainWindow::RecallView()
+{
+  const QVariantList numbers =
+    QSettings().value("views").toMap().value(PathOf(this->Bench.Data.State().Source)).toList();
+  if (numbers.size() != NumbersOfView)
+  {
+    return;
+  }
+  CameraState camera;
+  camera.ViewAngle = numbers[0].toDouble();
+  camera.ParallelScale = numbers[1].toDouble();
+  int next = 2;
+  for (Point* point : { &camera.Position, &camera.FocalPoint, &camera.ViewUp })
+  {
+    for (double& number : *point)
+    {
+      number = numbers[next++].toDouble();
+    }
+  }
+  if (IsUsable(camera))
+  {
+    this->Bench.Data.View.SetCamera(camera);
+    this->Bench.RenderSoon();
+  }
 }
 
 void MainWindow::MakeView()
@@ -361,7 +449,7 @@ void MainWindow::OnOpened()
   {
     QSettings settings;
     QStringList recent = settings.value("recent").toStringList();
-    const QString path = QFileInfo(QFile::decodeName(source.Path.c_str())).absoluteFilePath();
+    const QString path = PathOf(source);
     recent.removeAll(path);
     recent.prepend(path);
     settings.setValue("recent", QStringList(recent.mid(0, MostRecent)));
@@ -380,6 +468,7 @@ void MainWindow::ShowState()
     {
       this->Actions[QString(command.Name).remove('&')]->setEnabled(command.Needs == Need::Nothing ||
         (command.Needs == Need::Data && mayChange) ||
+        (command.Needs == Need::Surfaces && mayChange && this->Bench.Data.DrawsSurfaces()) ||
         (command.Needs == Need::Steps && isOpen && this->Bench.Data.Data().TimeSteps > 1) ||
         (command.Needs == Need::Addable && mayChange && !this->Bench.Data.Projects()) ||
         (command.Needs == Need::Removable && isOpen && this->Bench.CanRemove()));
@@ -479,6 +568,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
   {
     this->Bench.ToggleRecording();
   }
+  this->KeepView();
   QSettings().setValue("window", this->saveState());
+  QSettings().setValue("geometry", this->saveGeometry());
   event->accept();
 }

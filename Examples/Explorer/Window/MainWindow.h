@@ -24,6 +24,10 @@ class MainWindow : public QMainWindow
 public:
   explicit MainWindow(Workbench& bench);
 
+  // As large as it was last, or so that the screen holds it; and from now on, a file is seen as it
+  // was when it was left.
+  void TakeUpLast();
+
   QVTKOpenGLNativeWidget* View() { return this->Picture; }
   HistogramPanel* Histogram() { return this->Samples; }
 
@@ -43,6 +47,8 @@ private:
   void MakeStatusBar();
   void ShowRecent(QMenu* menu);
   void OnOpened();
+  void KeepView();
+  void RecallView();
   void ShowUnderPointer();
   void ShowState();
   void ShowProgress();
@@ -58,6 +64,7 @@ private:
   QToolButton* StopButton;
   QPoint Pointer; // in the view
   QTimer Pointing;
+  bool RemembersViews = false;
   double Refined = 1.0; // of the picture; 1: it is final
   std::map<QString, QMenu*> Menus;
   std::map<QString, QAction*> Actions; // by their names, without ampersands

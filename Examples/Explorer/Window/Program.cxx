@@ -23,6 +23,8 @@
 namespace
 {
 
+const QSize FirstSize(1280, 800); // pixels, of the window
+
 struct Options : CommonOptions
 {
   std::string Session; // to begin with
@@ -34,8 +36,7 @@ Options ParseOptions(int argc, char* argv[], const Extension& extension)
 {
   using Text = const std::string&;
   Options options;
-  options.Width = 1280;
-  options.Height = 800;
+  options.Width = options.Height = 0; // as it was last
   CommandLine line(options);
   line.AddSetting("--session", [&options](Text, Text value) { options.Session = value; });
   line.AddSetting("--output", [&options](Text, Text value) { options.Output = value; });
@@ -65,7 +66,7 @@ ISOVALUE is chosen from the volume's histogram if it is not given.
   --session FILE         begin with a session that was saved; save there; default to save:
                          ./explorer.session
   --output DIR           where pictures and recordings go; default: the present directory
-  --size WxH | N         pixels of the window; default 1280x800
+  --size WxH | N         pixels of the window; default: as large as it was last
 %s  --screenshot FILE      draw the window once, save it as FILE (PNG), and end
   --help                 show this text
 
@@ -111,7 +112,13 @@ void Run(const Options& options, int argc, char* argv[], const Extension& extens
   Workbench bench(options.Output, options.Session.empty() ? "explorer.session" : options.Session,
     options.From, options.Up);
   MainWindow window(bench);
-  window.resize(QSize(options.Width, options.Height) / window.devicePixelRatioF());
+  const bool hasSize = options.Width > 0;
+  window.resize(
+    (hasSize ? QSize(options.Width, options.Height) : FirstSize) / window.devicePixelRatioF());
+  if (!hasSize && options.Screenshot.empty() && options.From.empty())
+  {
+    window.TakeUpLast();
+  }
   extension.Begin(window, bench);
   std::string failure;
   bench.OnRefused = [&failure](const std::string& sentence)

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Work/Workbench.h"
 
+#include "Model/Triangles.h"
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 #include "View/Picture.h"
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
+#include <vtkMath.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkTimerLog.h>
@@ -380,12 +382,17 @@ void Workbench::Take(Request& loaded)
   {
     throw UserError("Opening was stopped; what was shown stays.");
   }
+  if (!loaded.IsSameFile && this->Data.IsOpen())
+  {
+    emit this->Leaving();
+  }
   this->Data.Adopt(loaded);
   if (!loaded.IsSameFile)
   {
     this->ListenToMapper();
   }
   this->SelectedMarker = 0;
+  this->Measured.clear();
   this->Changes.clear();
   this->SetRates();
   emit this->Opened(!loaded.IsSameFile);
@@ -494,6 +501,54 @@ void Workbench::SavePicture(const std::string& path, int width, int height)
       }
       this->Say("Saved " + (path.empty() ? this->Output.Save(*picture) : path));
     });
+}
+
+void Workbench::ExportTriangles(const std::string& path)
+{
+  if (this->IsBusy())
+  {
+    throw UserError(this->What + ": wait for it, or stop it with Escape.");
+  }
+  const auto count = std::make_shared<vtkIdType>(0);
+  this->Start(
+    "Exporting triangles",
+    [=, volume = this->Data.Data(), component = this->Data.State().Component,
+      look = this->Data.Settings()](const Progress&)
+    {
+      const auto triangles = TrianglesOf(volume, component, look);
+      WriteTriangles(triangles, path);
+      *count = triangles->GetNumberOfCells();
+    },
+    [=] { this->Say("Saved " + path + ": " + std::to_string(*count) + " triangles"); });
+}
+
+void Workbench::Measure(const QPoint& pixel)
+{
+  VolumeView& view = this->Data.View;
+  if (this->Measured.size() == 2)
+  {
+    this->Measured.clear();
+    view.HideRuler();
+    this->Say("");
+  }
+  else
+  {
+    const auto seen = view.SeenAt(pixel.x(), view.Renderer->GetSize()[1] - 1 - pixel.y());
+    if (!seen)
+    {
+      throw UserError("There is nothing under the pointer; point at a surface.");
+    }
+    this->Measured.push_back(seen->Place);
+    this->Say("Point at the other end, and measure once more.");
+  }
+  if (this->Measured.size() == 2)
+  {
+    const double distance = std::sqrt(
+      vtkMath::Distance2BetweenPoints(this->Measured[0].data(), this->Measured[1].data()));
+    view.ShowRuler(this->Measured[0], this->Measured[1]);
+    this->Say("Distance: " + QString::number(distance, 'g', 5).toStdString());
+  }
+  this->RenderSoon();
 }
 
 void Workbench::MakeFilm(Motion motion, int frames, int width, int height)

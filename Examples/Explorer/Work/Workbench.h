@@ -72,12 +72,15 @@ public:
   // These throw UserError. Pictures are final, which may take long.
   void SaveSession(const std::string& path);
   void SavePicture(const std::string& path = "", int width = 0, int height = 0);
+  void ExportTriangles(const std::string& path);
   enum Motion
   {
     TurnAround,
     Sweep // of the selected isovalue
   };
   void MakeFilm(Motion motion, int frames, int width, int height);
+  // From the first pixel of the view to the second; the third call ends it.
+  void Measure(const QPoint& pixel);
   void ToggleRecording(); // of frames as they are seen
   void Say(const std::string& sentence, bool isWarning = false);
   void Try(const std::function<void()>& action); // tells of what is thrown
@@ -104,6 +107,7 @@ public:
   std::function<std::string(const std::string&)> OnMissing; // where the volume of a session is now
 
 signals:
+  void Leaving();                // the file that is open, for another one
   void Opened(bool isOtherFile); // or another array or step of the same one
   void Changed();                // settings, the selected marker, what is going on
   void Settled();                // the same, soon and less often: most panels need no more
@@ -136,6 +140,7 @@ private:
   std::atomic<bool> IsStopped{ false };
   bool Builds = false;
   bool IsDragging = false;
+  std::vector<Point> Measured; // places in the world
   int Gesture = 0;
   std::size_t SelectedMarker = 0;
   double FrameBegan = 0.0;

@@ -37,8 +37,8 @@ public:
 
   //@{
   /**
-   * Get how many presets there are, and their names: from 0 on. The name is null if there is none
-   * of that index.
+   * Get the number of presets, and the name of each: the first preset has index 0. The name of an
+   * unknown index is null.
    */
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index);

@@ -55,6 +55,7 @@ public:
    */
   void GetReductionRatio(double ratio[3]) override;
 
+  /** Values of RequestedRenderMode. */
   enum RenderModes
   {
     DefaultRenderMode = 0,

@@ -81,6 +81,7 @@ public:
   vtkBooleanMacro(TemporalCoherence, vtkTypeBool);
   //@}
 
+  /** Values of BlendVolumes. */
   enum BlendingRules
   {
     BLEND_NEVER = 0,

@@ -25,6 +25,7 @@ public:
   vtkAbstractTypeMacro(vtkTemporalCoherencePaperMapper, vtkTemporalCoherenceDropInMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** Values of ImageCachePolicy. */
   enum ImageCachePolicies
   {
     LATEST = 0,
@@ -44,6 +45,7 @@ public:
   vtkGetMacro(KeyImageInterval, int);
   //@}
 
+  /** Values of ImageCacheShading and IsomapShading. */
   enum Shadings
   {
     RESHADE = 0,

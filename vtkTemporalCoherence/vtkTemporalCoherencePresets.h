@@ -37,8 +37,8 @@ public:
 
   //@{
   /**
-   * Get the number of presets, and the name of the one with an index, from 0 on. A wrong index has
-   * no name: null.
+   * Get the number of presets, and the name of each: the first preset has index 0. The name of an
+   * unknown index is null.
    */
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index);

@@ -49,6 +49,7 @@ public:
   vtkTypeMacro(vtkTemporalCoherenceVolumeMapper, vtkTemporalCoherencePaperMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** Values of SurfaceMode. */
   enum SurfaceModes
   {
     CROSSING = 0,
@@ -67,6 +68,7 @@ public:
   void SetSurfaceModeToThreshold() { this->SetSurfaceMode(THRESHOLD); }
   //@}
 
+  /** Values of VectorMode. */
   enum VectorModes
   {
     DISABLED = -1,
@@ -151,6 +153,7 @@ public:
   vtkGetMacro(LightRadius, double);
   //@}
 
+  /** Values of Antialiasing. */
   enum AntialiasingModes
   {
     ANTIALIASING_OFF,        ///< one ray a pixel
@@ -216,6 +219,7 @@ public:
   vtkGetMacro(NumberOfCachedImages, int);
   //@}
 
+  /** Values of ReuseAccuracy. */
   enum ReuseAccuracies
   {
     BOUNDED = 0, ///< deprecated: means EXACT
@@ -325,21 +329,19 @@ public:
     FRAME_ALL = 31            ///< all of these
   };
 
-  //@{
   /**
    * Render without a window or an OpenGL context. The picture becomes the last frame.
    * @param renderer     has the camera and the lights; the volume need not be in it
    * @param volume       has the transform and the property; its mapper is not used
    * @param width,height pixels in a row, and rows, at least 1; row 0 is the bottom row
    * @param color,depth  receive the arrays Color and Depth of FrameArrays; each may be null
-   * @param frame        receives all FrameArrays
    * @return false after an error, or if the frame was stopped. The images are then unchanged.
    */
   bool MakeImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
     vtkImageData* color, vtkImageData* depth);
+  /** Render without a window, as above, an image of all FrameArrays. */
   bool MakeImage(
     vtkRenderer* renderer, vtkVolume* volume, int width, int height, vtkImageData* frame);
-  //@}
 
   /**
    * Get the last frame, whether it was made for a window or for an image.

@@ -324,6 +324,7 @@ start_display
 run_checks 1 TestPicture.py
 run_checks 1 TestReuse.py
 run_checks 1 TestProperties.py
+run_checks 1 TestRecipe.py
 for processes in 1 2 4; do
   run_checks "$processes" DistributedScenes.py
 done

@@ -4,6 +4,7 @@
 
 import ast
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -151,6 +152,16 @@ class Names(unittest.TestCase):
                     len(explanation(name, member)), 30,
                     f"{wrapped.__name__}.{name}: a group of methods begins with //@{{, as VTK's "
                     f"wrappers do not know ///@{{")
+
+    def test_pages_that_are_named_are_there(self):
+        named, folder = set(), pathlib.Path(vtkTemporalCoherence.__file__).parent
+        for each in (vtkTemporalCoherence, *CLASSES,
+                     *(getattr(vtkTemporalCoherence, name) for name in vtkTemporalCoherence.__all__)):
+            for text in (each.__doc__, *(member.__doc__ for member in getattr(each, "__dict__", {}).values())):
+                named.update(re.findall(r"Documentation/[\w.]*\w", text or ""))
+        self.assertIn("Documentation/Mapper.md", named)
+        for page in named:
+            self.assertIn("# ", (folder / page).read_text(encoding="utf-8"))
 
     def test_every_function_is_explained(self):
         for name in vtkTemporalCoherence.__all__:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 
+#include "Choice.h"
 #include "GpuMapperSettings.h"
 #include "Window/OpenGLWindow.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
@@ -44,6 +45,17 @@ bool IsAllowedByEnvironment()
 }
 
 /// The rule for mappers that are constructed next.
+/// Set a rule when to blend volumes, of a mapper or (null) of those that are constructed next.
+void SetRule(vtkObject* mapper, const char* name, int value, int& rule)
+{
+  using Mapper = vtkTemporalCoherenceGPUVolumeRayCastMapper;
+  TemporalCoherence::SetChoice(mapper, name, value,
+    { { Mapper::BLEND_NEVER, "BLEND_NEVER" },
+      { Mapper::BLEND_ON_SOFTWARE_OPENGL, "BLEND_ON_SOFTWARE_OPENGL" },
+      { Mapper::BLEND_ALWAYS, "BLEND_ALWAYS" } },
+    rule);
+}
+
 std::atomic<int>& DefaultRule()
 {
   using Mapper = vtkTemporalCoherenceGPUVolumeRayCastMapper;
@@ -190,9 +202,16 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassBlends(vtkR
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceGPUVolumeRayCastMapper::SetDefaultBlendVolumes(int rule)
 {
-  DefaultRule() =
-    std::min(std::max(rule, static_cast<int>(BLEND_NEVER)), static_cast<int>(BLEND_ALWAYS));
+  int present = DefaultRule();
+  SetRule(nullptr, "DefaultBlendVolumes", rule, present);
+  DefaultRule() = present;
 }
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::SetBlendVolumes(int rule)
+{
+  SetRule(this, "BlendVolumes", rule, this->BlendVolumes);
+}
+
 
 //------------------------------------------------------------------------------
 int vtkTemporalCoherenceGPUVolumeRayCastMapper::GetDefaultBlendVolumes()

@@ -94,9 +94,10 @@ public:
    * BLEND_ON_SOFTWARE_OPENGL: if OpenGL itself runs on the CPU, which the name of its renderer
    * tells (llvmpipe, softpipe, swrast, SWR, SwiftShader, or any name with "software"). VTK's mapper
    * still draws composite volumes, averages and sums with nearest interpolation, as it may take a
-   * tenth of the time. Default: DefaultBlendVolumes at the time of construction.
+   * tenth of the time. Default: DefaultBlendVolumes at the time of construction. Any other value
+   * than these three rules is an error, and the setting stays.
    */
-  vtkSetClampMacro(BlendVolumes, int, BLEND_NEVER, BLEND_ALWAYS);
+  virtual void SetBlendVolumes(int rule);
   vtkGetMacro(BlendVolumes, int);
   void SetBlendVolumesToNever() { this->SetBlendVolumes(BLEND_NEVER); }
   void SetBlendVolumesToOnSoftwareOpenGL() { this->SetBlendVolumes(BLEND_ON_SOFTWARE_OPENGL); }
@@ -107,7 +108,8 @@ public:
   /**
    * Set/Get the initial BlendVolumes of mappers that are constructed later, also inside of other
    * mappers. Default: BLEND_ON_SOFTWARE_OPENGL, or the rule in the environment variable
-   * VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES: NEVER, SOFTWARE or ALWAYS.
+   * VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES: NEVER, SOFTWARE or ALWAYS. Another value is an error, and
+   * the setting stays. Another word in the variable is a warning.
    */
   static void SetDefaultBlendVolumes(int rule);
   static int GetDefaultBlendVolumes();

@@ -10,6 +10,8 @@ import sys
 import unittest
 
 import vtkTemporalCoherence
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 from vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
@@ -94,6 +96,22 @@ class Names(unittest.TestCase):
             for choice, constant in reversed(choices.items()):
                 getattr(self.mapper, f"Set{setting}To{choice}")()
                 self.assertEqual(get(), CONSTANTS[constant], setting)
+
+    def test_what_is_no_choice(self):
+        @calldata_type(VTK_STRING)
+        def hear(_mapper, _event, text):
+            heard.append(text)
+
+        self.mapper.AddObserver("ErrorEvent", hear)
+        for setting, choices in CHOICES.items():
+            heard = []
+            getattr(self.mapper, f"Set{setting}")(99)
+            get = getattr(self.mapper, "Get" + setting)
+            self.assertEqual(get(), CONSTANTS[next(iter(choices.values()))], setting)
+            self.assertEqual(len(heard), 1, setting)
+            self.assertRegex(heard[0], f"{setting} must be .*, not 99; it stays")
+            for constant in choices.values():
+                self.assertIn(f"{constant} ({CONSTANTS[constant]})", heard[0])
 
     def test_switches(self):
         for setting, default in SWITCHES.items():

@@ -27,11 +27,13 @@
  * - all volumes after RenderToImageOn(), because only its textures hold that image,
  * - volumes whose input or settings vtkTemporalCoherenceVolumeMapper refuses.
  *
- * In the first frame of a renderer, and when the choice changes, one line in VTK's log (vtkLogger,
- * INFO) says which mapper draws and why. No line is written twice in a row. PrintSelf says it, too.
+ * One line in VTK's log (vtkLogger, INFO) says that vtkTemporalCoherenceVolumeMapper draws, and
+ * why. It is written once in a process, when that mapper draws first. If VTK's mapper has to draw,
+ * a line says why, once for each reason. The environment variable VTK_TEMPORAL_COHERENCE_LOG (OFF,
+ * NO, FALSE or 0) switches these lines off. PrintSelf and GetReason() tell the same of each mapper.
  *
- * The environment variable VTK_TEMPORAL_COHERENCE (OFF, NO, FALSE or 0) switches this off, as does
- * TemporalCoherenceOff().
+ * The environment variable VTK_TEMPORAL_COHERENCE (OFF, NO, FALSE or 0) switches this class off, as
+ * does TemporalCoherenceOff(). Nothing is logged then.
  *
  * GetIsosurfaceMapper() gives access to the settings that only vtkTemporalCoherenceVolumeMapper
  * has. Those settings of this class that affect isosurfaces are copied to it in every frame.
@@ -50,14 +52,11 @@
 #include "vtkNew.h" // For the inner mapper
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkRenderWindow.h" // For weak pointers to it
-#include "vtkRenderer.h"     // For weak pointers to it
 #include "vtkTemporalCoherenceCompatibility.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
-#include "vtkWeakPointer.h"             // For renderers
+#include "vtkWeakPointer.h"             // For the window
 
-#include <string>  // For std::string
-#include <utility> // For std::pair
-#include <vector>  // For std::vector
+#include <string> // For std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkEventForwarderCommand;
@@ -169,7 +168,7 @@ private:
   std::string WhySuperclassBlends(vtkRenderer* renderer);
   void PrepareIsosurfaces();
   void ForwardEvents();
-  void TellWhoDraws(vtkRenderer* renderer, Drawer drawer, const std::string& reason);
+  void TellWhoDraws(Drawer drawer, const std::string& reason);
 
   vtkTypeBool TemporalCoherence;
   int BlendVolumes;
@@ -178,8 +177,6 @@ private:
   vtkNew<vtkTemporalCoherenceVolumeMapper> Isosurfaces;
   vtkNew<vtkEventForwarderCommand> Forwarder;
   Drawer DrawnBy = Drawer::Nobody;
-  /// The mapper that was logged last for each renderer: one may peel volumes, and another not.
-  std::vector<std::pair<vtkWeakPointer<vtkRenderer>, Drawer>> Told;
   std::string Reason;
   double SuperclassTimeToDraw = 0.0;
 };

@@ -94,14 +94,15 @@ load_cache("${BUILD}" READ_WITH_PREFIX build_ CMAKE_BUILD_TYPE TEMPORAL_COHERENC
 set(python_directory "${build_TEMPORAL_COHERENCE_PYTHON_DIRECTORY}")
 file(GLOB extension_module RELATIVE "${BUILD}/python" "${BUILD}/python/vtkTemporalCoherence/*.so")
 if (extension_module)
-  # Modules, py.typed, and, where VTK can make them, types of the wrapped classes.
+  # Modules, pages, py.typed, and, where VTK can make them, types of the wrapped classes.
   file(GLOB modules RELATIVE "${SOURCE}/Module/Python"
     "${SOURCE}/Module/Python/vtkTemporalCoherence/*.py"
     "${SOURCE}/Module/Python/vtkTemporalCoherence/py.typed")
   file(GLOB types RELATIVE "${BUILD}/python" "${BUILD}/python/vtkTemporalCoherence/*.pyi")
   list(APPEND modules ${types})
   file(GLOB metadata RELATIVE "${BUILD}/python" "${BUILD}/python/*.dist-info/METADATA")
-  list(APPEND modules vtkTemporalCoherence/version.py ${metadata})
+  file(GLOB pages RELATIVE "${BUILD}/python" "${BUILD}/python/vtkTemporalCoherence/Documentation/*.md")
+  list(APPEND modules vtkTemporalCoherence/version.py ${metadata} ${pages})
   list(TRANSFORM modules PREPEND "${python_directory}/")
   set(contents_of_python3-vtktemporalcoherence ${modules} "${python_directory}/${extension_module}")
   list(APPEND packages python3-vtktemporalcoherence)

@@ -286,6 +286,7 @@ endforeach ()
 
 vtk_module_add_module(VTK::TemporalCoherence
   SOURCES
+    "${module_directory}/Choice.cxx"
     "${module_directory}/GpuMapperSettings.cxx"
     "${module_directory}/SettingsFromMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceDropInMapper.cxx"

@@ -11,12 +11,13 @@
  * have. Newer versions of VTK have some of them in vtkGPUVolumeRayCastMapper, too.
  *
  * All settings of this header except SetSharedDepthTexture are stored and returned, but they do not
- * change the picture. There is no distance between samples: rays are intersected with isosurfaces
- * exactly, and blended volumes are converged unless FixedStepSampling is on. No volume is kept on
- * the GPU. These settings of vtkGPUVolumeRayCastMapper have no effect either:
- * LockSampleDistanceToInputSpacing, UseJittering, MaxMemoryInBytes, MaxMemoryFraction,
- * ReportProgress, Transfer2DYAxisArray, GlobalIlluminationReach, VolumetricScatteringBlending,
- * ComputeNormalFromOpacity, ColorRangeType, ScalarOpacityRangeType and GradientOpacityRangeType.
+ * change the picture. Values beyond their ranges are clamped, as by VTK's mappers. There is no
+ * distance between samples: rays are intersected with isosurfaces exactly, and blended volumes are
+ * converged unless FixedStepSampling is on. No volume is kept on the GPU. These settings of
+ * vtkGPUVolumeRayCastMapper have no effect either: LockSampleDistanceToInputSpacing, UseJittering,
+ * MaxMemoryInBytes, MaxMemoryFraction, ReportProgress, Transfer2DYAxisArray,
+ * GlobalIlluminationReach, VolumetricScatteringBlending, ComputeNormalFromOpacity, ColorRangeType,
+ * ScalarOpacityRangeType and GradientOpacityRangeType.
  *
  * @sa vtkTemporalCoherenceVolumeMapper vtkGPUVolumeRayCastMapper
  */

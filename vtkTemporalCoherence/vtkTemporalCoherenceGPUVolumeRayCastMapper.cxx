@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 
+#include "Choice.h"
 #include "GpuMapperSettings.h"
 #include "Window/OpenGLWindow.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
@@ -19,6 +20,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <mutex>
+#include <set>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTemporalCoherenceGPUVolumeRayCastMapper);
@@ -36,11 +38,22 @@ std::string WordInEnvironment(const char* name)
   return word;
 }
 
-/// False if the user's environment turns this mapper off.
-bool IsAllowedByEnvironment()
+/// False if a variable of the user's environment switches something off.
+bool IsOnInEnvironment(const char* name)
 {
-  const std::string word = WordInEnvironment("VTK_TEMPORAL_COHERENCE");
+  const std::string word = WordInEnvironment(name);
   return word != "OFF" && word != "NO" && word != "FALSE" && word != "0";
+}
+
+/// Set a rule when to blend volumes, of a mapper or (null) of those that are constructed next.
+void SetRule(vtkObject* mapper, const char* name, int value, int& rule)
+{
+  using Mapper = vtkTemporalCoherenceGPUVolumeRayCastMapper;
+  TemporalCoherence::SetChoice(mapper, name, value,
+    { { Mapper::BLEND_NEVER, "BLEND_NEVER" },
+      { Mapper::BLEND_ON_SOFTWARE_OPENGL, "BLEND_ON_SOFTWARE_OPENGL" },
+      { Mapper::BLEND_ALWAYS, "BLEND_ALWAYS" } },
+    rule);
 }
 
 /// The rule for mappers that are constructed next.
@@ -50,6 +63,12 @@ std::atomic<int>& DefaultRule()
   const auto ofEnvironment = []()
   {
     const std::string word = WordInEnvironment("VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES");
+    if (!word.empty() && word != "NEVER" && word != "SOFTWARE" && word != "ALWAYS")
+    {
+      vtkGenericWarningMacro("VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES must be NEVER, SOFTWARE or "
+                             "ALWAYS, not "
+        << word << "; it counts as SOFTWARE.");
+    }
     return word == "NEVER" ? Mapper::BLEND_NEVER
       : word == "ALWAYS"   ? Mapper::BLEND_ALWAYS
                            : Mapper::BLEND_ON_SOFTWARE_OPENGL;
@@ -58,16 +77,15 @@ std::atomic<int>& DefaultRule()
   return rule;
 }
 
-/// Write a line to VTK's log, unless it was the last line written: a volume of many blocks has a
-/// mapper for each block.
-void LogOnce(const std::string& line)
+/// Write a line to VTK's log, unless one of the same topic was written in this process.
+void LogOnce(const std::string& topic, const std::string& line)
 {
+  static const bool isOn = IsOnInEnvironment("VTK_TEMPORAL_COHERENCE_LOG");
   static std::mutex guard;
-  static std::string last;
+  static std::set<std::string> told;
   const std::lock_guard<std::mutex> lock(guard);
-  if (line != last)
+  if (isOn && told.insert(topic).second)
   {
-    last = line;
     vtkLog(INFO, << line);
   }
 }
@@ -76,7 +94,7 @@ void LogOnce(const std::string& line)
 
 //------------------------------------------------------------------------------
 vtkTemporalCoherenceGPUVolumeRayCastMapper::vtkTemporalCoherenceGPUVolumeRayCastMapper()
-  : TemporalCoherence(IsAllowedByEnvironment())
+  : TemporalCoherence(IsOnInEnvironment("VTK_TEMPORAL_COHERENCE"))
   , BlendVolumes(GetDefaultBlendVolumes())
 {
   this->Forwarder->SetTarget(this);
@@ -120,12 +138,12 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, v
       ? "the blend mode is ISOSURFACE_BLEND"
       : this->BlendVolumes == BLEND_ALWAYS ? "BlendVolumes is BLEND_ALWAYS"
                                            : "OpenGL runs on the CPU";
-    this->TellWhoDraws(renderer, Drawer::Isosurfaces, reason);
+    this->TellWhoDraws(Drawer::Isosurfaces, reason);
     this->Isosurfaces->Render(renderer, volume);
     this->TimeToDraw = this->Isosurfaces->GetTimeToDraw();
     return;
   }
-  this->TellWhoDraws(renderer, Drawer::Superclass, why);
+  this->TellWhoDraws(Drawer::Superclass, why);
   // The superclass adjusts its sample distance by the time of its own last frame.
   this->TimeToDraw = this->SuperclassTimeToDraw;
   this->Superclass::Render(renderer, volume);
@@ -188,10 +206,17 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassBlends(vtkR
 }
 
 //------------------------------------------------------------------------------
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::SetBlendVolumes(int rule)
+{
+  SetRule(this, "BlendVolumes", rule, this->BlendVolumes);
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalCoherenceGPUVolumeRayCastMapper::SetDefaultBlendVolumes(int rule)
 {
-  DefaultRule() =
-    std::min(std::max(rule, static_cast<int>(BLEND_NEVER)), static_cast<int>(BLEND_ALWAYS));
+  int present = DefaultRule();
+  SetRule(nullptr, "DefaultBlendVolumes", rule, present);
+  DefaultRule() = present;
 }
 
 //------------------------------------------------------------------------------
@@ -234,25 +259,17 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::ForwardEvents()
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceGPUVolumeRayCastMapper::TellWhoDraws(
-  vtkRenderer* renderer, Drawer drawer, const std::string& reason)
+  Drawer drawer, const std::string& reason)
 {
+  const bool isSwitch = drawer != this->DrawnBy;
   this->Reason = reason;
   this->DrawnBy = drawer;
-  this->Told.erase(std::remove_if(this->Told.begin(), this->Told.end(),
-                     [](const auto& told) { return !told.first; }),
-    this->Told.end());
-  auto told = std::find_if(this->Told.begin(), this->Told.end(),
-    [renderer](const auto& each) { return each.first == renderer; });
-  if (told == this->Told.end())
+  if (isSwitch && this->TemporalCoherence)
   {
-    told = this->Told.emplace(told, renderer, Drawer::Nobody);
-  }
-  if (told->second != drawer)
-  {
-    told->second = drawer;
-    const char* const name = drawer == Drawer::Isosurfaces ? "vtkTemporalCoherenceVolumeMapper"
-                                                           : "vtkOpenGLGPUVolumeRayCastMapper";
-    LogOnce(std::string("A volume is drawn by ") + name + ", since " + reason);
+    const bool isOurs = drawer == Drawer::Isosurfaces;
+    const std::string name =
+      isOurs ? "vtkTemporalCoherenceVolumeMapper" : "vtkOpenGLGPUVolumeRayCastMapper";
+    LogOnce(isOurs ? name : reason, "A volume is drawn by " + name + ", since " + reason);
   }
 }
 

@@ -27,11 +27,13 @@
  * - all volumes after RenderToImageOn(), because only its textures hold that image,
  * - volumes whose input or settings vtkTemporalCoherenceVolumeMapper refuses.
  *
- * In the first frame of a renderer, and when the choice changes, one line in VTK's log (vtkLogger,
- * INFO) says which mapper draws and why. No line is written twice in a row. PrintSelf says it, too.
+ * One line in VTK's log (vtkLogger, INFO) says that vtkTemporalCoherenceVolumeMapper draws, and
+ * why. It is written once in a process, when that mapper draws first. If VTK's mapper has to draw,
+ * a line says why, once for each reason. The environment variable VTK_TEMPORAL_COHERENCE_LOG (OFF,
+ * NO, FALSE or 0) switches these lines off. PrintSelf and GetReason() tell the same of each mapper.
  *
- * The environment variable VTK_TEMPORAL_COHERENCE (OFF, NO, FALSE or 0) switches this off, as does
- * TemporalCoherenceOff().
+ * The environment variable VTK_TEMPORAL_COHERENCE (OFF, NO, FALSE or 0) switches this class off, as
+ * does TemporalCoherenceOff(). Nothing is logged then.
  *
  * GetIsosurfaceMapper() gives access to the settings that only vtkTemporalCoherenceVolumeMapper
  * has. Those settings of this class that affect isosurfaces are copied to it in every frame.
@@ -50,14 +52,11 @@
 #include "vtkNew.h" // For the inner mapper
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkRenderWindow.h" // For weak pointers to it
-#include "vtkRenderer.h"     // For weak pointers to it
 #include "vtkTemporalCoherenceCompatibility.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
-#include "vtkWeakPointer.h"             // For renderers
+#include "vtkWeakPointer.h"             // For the window
 
-#include <string>  // For std::string
-#include <utility> // For std::pair
-#include <vector>  // For std::vector
+#include <string> // For std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkEventForwarderCommand;
@@ -95,9 +94,10 @@ public:
    * BLEND_ON_SOFTWARE_OPENGL: if OpenGL itself runs on the CPU, which the name of its renderer
    * tells (llvmpipe, softpipe, swrast, SWR, SwiftShader, or any name with "software"). VTK's mapper
    * still draws composite volumes, averages and sums with nearest interpolation, as it may take a
-   * tenth of the time. Default: DefaultBlendVolumes at the time of construction.
+   * tenth of the time. Default: DefaultBlendVolumes at the time of construction. Any other value
+   * than these three rules is an error, and the setting stays.
    */
-  vtkSetClampMacro(BlendVolumes, int, BLEND_NEVER, BLEND_ALWAYS);
+  virtual void SetBlendVolumes(int rule);
   vtkGetMacro(BlendVolumes, int);
   void SetBlendVolumesToNever() { this->SetBlendVolumes(BLEND_NEVER); }
   void SetBlendVolumesToOnSoftwareOpenGL() { this->SetBlendVolumes(BLEND_ON_SOFTWARE_OPENGL); }
@@ -108,7 +108,8 @@ public:
   /**
    * Set/Get the initial BlendVolumes of mappers that are constructed later, also inside of other
    * mappers. Default: BLEND_ON_SOFTWARE_OPENGL, or the rule in the environment variable
-   * VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES: NEVER, SOFTWARE or ALWAYS.
+   * VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES: NEVER, SOFTWARE or ALWAYS. Another value is an error, and
+   * the setting stays. Another word in the variable is a warning.
    */
   static void SetDefaultBlendVolumes(int rule);
   static int GetDefaultBlendVolumes();
@@ -168,7 +169,7 @@ private:
   std::string WhySuperclassBlends(vtkRenderer* renderer);
   void PrepareIsosurfaces();
   void ForwardEvents();
-  void TellWhoDraws(vtkRenderer* renderer, Drawer drawer, const std::string& reason);
+  void TellWhoDraws(Drawer drawer, const std::string& reason);
 
   vtkTypeBool TemporalCoherence;
   int BlendVolumes;
@@ -177,8 +178,6 @@ private:
   vtkNew<vtkTemporalCoherenceVolumeMapper> Isosurfaces;
   vtkNew<vtkEventForwarderCommand> Forwarder;
   Drawer DrawnBy = Drawer::Nobody;
-  /// The mapper that was logged last for each renderer: one may peel volumes, and another not.
-  std::vector<std::pair<vtkWeakPointer<vtkRenderer>, Drawer>> Told;
   std::string Reason;
   double SuperclassTimeToDraw = 0.0;
 };

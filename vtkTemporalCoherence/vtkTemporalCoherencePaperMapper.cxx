@@ -2,12 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherencePaperMapper.h"
 
+#include "Choice.h"
+
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 vtkTemporalCoherencePaperMapper::vtkTemporalCoherencePaperMapper() = default;
 
 //------------------------------------------------------------------------------
 vtkTemporalCoherencePaperMapper::~vtkTemporalCoherencePaperMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherencePaperMapper::SetImageCachePolicy(int policy)
+{
+  TemporalCoherence::SetChoice(this, "ImageCachePolicy", policy,
+    { { LATEST, "LATEST" }, { KEY_IMAGE, "KEY_IMAGE" } }, this->ImageCachePolicy);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherencePaperMapper::SetImageCacheShading(int shading)
+{
+  TemporalCoherence::SetChoice(this, "ImageCacheShading", shading,
+    { { RESHADE, "RESHADE" }, { INTERPOLATE, "INTERPOLATE" } }, this->ImageCacheShading);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherencePaperMapper::SetIsomapShading(int shading)
+{
+  TemporalCoherence::SetChoice(this, "IsomapShading", shading,
+    { { RESHADE, "RESHADE" }, { INTERPOLATE, "INTERPOLATE" } }, this->IsomapShading);
+}
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherencePaperMapper::PrintSelf(ostream& os, vtkIndent indent)

@@ -35,9 +35,10 @@ public:
   //@{
   /**
    * Set/Get which frames the image cache keeps. LATEST (default): every frame. KEY_IMAGE: cold
-   * frames only. One is made every KeyImageInterval frames (default: 7, at least 1).
+   * frames only. One is made every KeyImageInterval frames (default: 7; less than 1 is clamped to
+   * 1).
    */
-  vtkSetClampMacro(ImageCachePolicy, int, LATEST, KEY_IMAGE);
+  virtual void SetImageCachePolicy(int policy);
   vtkGetMacro(ImageCachePolicy, int);
   void SetImageCachePolicyToLatest() { this->SetImageCachePolicy(LATEST); }
   void SetImageCachePolicyToKeyImage() { this->SetImageCachePolicy(KEY_IMAGE); }
@@ -58,11 +59,11 @@ public:
    * field. INTERPOLATE is faster, but not exact: ImageCacheShading (for definite hits with PAPER)
    * takes colours from the cached image, IsomapShading takes normals from the isomap's knots.
    */
-  vtkSetClampMacro(ImageCacheShading, int, RESHADE, INTERPOLATE);
+  virtual void SetImageCacheShading(int shading);
   vtkGetMacro(ImageCacheShading, int);
   void SetImageCacheShadingToReshade() { this->SetImageCacheShading(RESHADE); }
   void SetImageCacheShadingToInterpolate() { this->SetImageCacheShading(INTERPOLATE); }
-  vtkSetClampMacro(IsomapShading, int, RESHADE, INTERPOLATE);
+  virtual void SetIsomapShading(int shading);
   vtkGetMacro(IsomapShading, int);
   void SetIsomapShadingToReshade() { this->SetIsomapShading(RESHADE); }
   void SetIsomapShadingToInterpolate() { this->SetIsomapShading(INTERPOLATE); }

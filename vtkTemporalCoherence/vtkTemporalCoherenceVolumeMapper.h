@@ -15,6 +15,9 @@
  * isovalue is needed. Pictures are converged: the limit of infinitely small sample distances. Rays
  * end at opaque props.
  *
+ * A setting that names a choice, such as SurfaceMode, takes no other value: that is one error, and
+ * the setting stays. Numbers are clamped to the range of their setting, as VTK does.
+ *
  * Documentation/Mapper.md has the details and limits of all settings. It defines the terms that
  * are used here (such as voxel). The image cache and the isomap are those of "Accelerating Volume
  * Visualization by Exploiting Temporal Coherence".
@@ -62,7 +65,7 @@ public:
    * ray, in either direction. THRESHOLD, as in the paper: the first point where the field is at
    * least the isovalue. The solid is capped wherever it is cut.
    */
-  vtkSetClampMacro(SurfaceMode, int, CROSSING, THRESHOLD);
+  virtual void SetSurfaceMode(int mode);
   vtkGetMacro(SurfaceMode, int);
   void SetSurfaceModeToCrossing() { this->SetSurfaceMode(CROSSING); }
   void SetSurfaceModeToThreshold() { this->SetSurfaceMode(THRESHOLD); }
@@ -82,7 +85,7 @@ public:
    * component that the volume's property selects. MAGNITUDE: the Euclidean length of each tuple.
    * COMPONENT: the component VectorComponent (default: 0). A missing component is an error.
    */
-  vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
+  virtual void SetVectorMode(int mode);
   vtkGetMacro(VectorMode, int);
   void SetVectorModeToDisabled() { this->SetVectorMode(DISABLED); }
   void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
@@ -96,7 +99,7 @@ public:
    * Set/Get two settings of meshes. SmoothMeshNormals: off (default), normals are the gradients in
    * the cell that is hit, which shows facets; on, they are gradients averaged at the points.
    * MeshMemoryLimit: the most memory to set up a mesh, in MiB. Curved cells are divided less to
-   * fit; larger meshes are an error. Default: 0, no limit.
+   * fit; larger meshes are an error. Default: 0, no limit; less is clamped to 0.
    */
   vtkSetMacro(SmoothMeshNormals, vtkTypeBool);
   vtkGetMacro(SmoothMeshNormals, vtkTypeBool);
@@ -117,6 +120,8 @@ public:
    * - AmbientOcclusionStrength: 0 (no effect) to 1 (default).
    * - AmbientOcclusionRays: 1 (default) to 64 rays, sent from one of each four pixels in turn. A
    *   frame that differs in nothing from the last one sends 32 times as many from each pixel.
+   *
+   * Numbers beyond these ranges are clamped, and NaN is an error.
    *
    * The light of a surface is kept while the camera moves, and gets better from frame to frame.
    * GetFrameIsFinal() is true once each pixel has enough rays: 1024, or as few as 256 on evenly lit
@@ -145,6 +150,7 @@ public:
    * light that is not positional looks as large as a ball of this radius at its position, seen from
    * its focal point. Soft shadows take as many rays as ambient occlusion (AmbientOcclusionRays).
    * They are kept, and get better, in the same way; a light that moves loses its own shadow only.
+   * A radius below 0 is clamped to 0.
    */
   vtkSetMacro(Shadows, vtkTypeBool);
   vtkGetMacro(Shadows, vtkTypeBool);
@@ -169,7 +175,7 @@ public:
    * picture is still, so nothing gets slower while the camera turns. MakeImage and RenderToImage
    * antialias at once unless ProgressiveImages is on.
    */
-  vtkSetClampMacro(Antialiasing, int, ANTIALIASING_OFF, ANTIALIASING_ALWAYS);
+  virtual void SetAntialiasing(int mode);
   vtkGetMacro(Antialiasing, int);
   void SetAntialiasingToOff() { this->SetAntialiasing(ANTIALIASING_OFF); }
   void SetAntialiasingToWhenStill() { this->SetAntialiasing(ANTIALIASING_WHEN_STILL); }
@@ -210,7 +216,8 @@ public:
    * Set/Get whether frames re-use earlier pictures (default: on), and how many pictures each viewer
    * keeps for PAPER, 1 (default) to 64. On: new opacities, new colours of a projection and another
    * time step cost only the affected work. With PAPER, a moved camera starts from an earlier
-   * picture. Off: these frames are cold. Isomap is a switch of its own.
+   * picture. Off: these frames are cold. Isomap is a switch of its own. Other numbers of pictures
+   * are clamped.
    */
   vtkSetMacro(ReuseFrames, vtkTypeBool);
   vtkGetMacro(ReuseFrames, vtkTypeBool);
@@ -257,6 +264,8 @@ public:
    * - IsomapMemoryLimit: the most memory of each viewer's isomap, in MiB. Default: 256; 0 switches
    *   it off. The least recently used bands are dropped. Bands outside of IsomapRange take at most
    *   32 bytes a pixel.
+   *
+   * Tolerances and limits below 0 are clamped to 0.
    */
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);
@@ -271,8 +280,8 @@ public:
 
   //@{
   /**
-   * Set the distance between rays in windows, in pixels along each axis: 0.1 to 100, default 1. NaN
-   * is an error.
+   * Set the distance between rays in windows, in pixels along each axis: 0.1 to 100, default 1.
+   * Other distances are clamped, and NaN is an error.
    *
    * AutoAdjustSampleDistances (default: on) keeps interaction smooth. A frame that takes longer
    * than vtkVolume::GetAllocatedRenderTime() traces fewer rays: a grid, whose rays have a distance

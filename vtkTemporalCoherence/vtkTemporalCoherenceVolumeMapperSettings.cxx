@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Settings that are checked: numbers that have to be finite, and values that are deprecated.
-// PrintSelf lists all settings.
+// Settings that are checked: choices, numbers that have to be finite, and values that are
+// deprecated. PrintSelf lists all settings.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
+#include "Choice.h"
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
 #include <algorithm>
@@ -43,6 +44,31 @@ void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
 }
 
 //------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetSurfaceMode(int mode)
+{
+  TemporalCoherence::SetChoice(this, "SurfaceMode", mode,
+    { { CROSSING, "CROSSING" }, { THRESHOLD, "THRESHOLD" } }, this->SurfaceMode);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetVectorMode(int mode)
+{
+  TemporalCoherence::SetChoice(this, "VectorMode", mode,
+    { { DISABLED, "DISABLED" }, { MAGNITUDE, "MAGNITUDE" }, { COMPONENT, "COMPONENT" } },
+    this->VectorMode);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetAntialiasing(int mode)
+{
+  TemporalCoherence::SetChoice(this, "Antialiasing", mode,
+    { { ANTIALIASING_OFF, "ANTIALIASING_OFF" },
+      { ANTIALIASING_WHEN_STILL, "ANTIALIASING_WHEN_STILL" },
+      { ANTIALIASING_ALWAYS, "ANTIALIASING_ALWAYS" } },
+    this->Antialiasing);
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetReuseAccuracy(int accuracy)
 {
   if (accuracy == BOUNDED && !this->Internal->HasWarnedOfBounded)
@@ -51,12 +77,8 @@ void vtkTemporalCoherenceVolumeMapper::SetReuseAccuracy(int accuracy)
     vtkWarningMacro(<< "ReuseAccuracy BOUNDED is removed and counts as EXACT: call "
                        "SetReuseAccuracyToExact() instead.");
   }
-  const int known = accuracy < PAPER ? EXACT : PAPER;
-  if (known != this->ReuseAccuracy)
-  {
-    this->ReuseAccuracy = known;
-    this->Modified();
-  }
+  TemporalCoherence::SetChoice(this, "ReuseAccuracy", accuracy == BOUNDED ? EXACT : accuracy,
+    { { EXACT, "EXACT" }, { PAPER, "PAPER" } }, this->ReuseAccuracy);
 }
 
 //------------------------------------------------------------------------------

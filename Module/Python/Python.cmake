@@ -124,6 +124,16 @@ foreach (file IN ITEMS __init__.py blended.py everywhere.py given_data.py isosur
     COMPONENT python)
 endforeach ()
 
+# The pages for who writes Python, which docstrings name. Links between these lead somewhere.
+foreach (page IN ITEMS Mapper.md Porting.md PyVista.md Python.md)
+  configure_file("${CMAKE_SOURCE_DIR}/Documentation/${page}"
+    "${python_build_directory}/vtkTemporalCoherence/Documentation/${page}" COPYONLY)
+  install(
+    FILES "${CMAKE_SOURCE_DIR}/Documentation/${page}"
+    DESTINATION "${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}/vtkTemporalCoherence/Documentation"
+    COMPONENT python)
+endforeach ()
+
 set(python_version "${python_build_directory}/vtkTemporalCoherence/version.py")
 file(WRITE "${python_version}" "__version__ = \"${PROJECT_VERSION}\"\n")
 install(

@@ -203,8 +203,24 @@ class UnchangedScripts(unittest.TestCase):
         after, _, told = self.run_script(
             "vtkSmartVolumeMapper", "isosurface", VTK_AUTOLOAD_PATH=AUTOLOAD_PATH,
             VTK_TEMPORAL_COHERENCE="off")
-        self.assertIn("vtkOpenGLGPUVolumeRayCastMapper, since TemporalCoherence is off", told)
+        self.assertNotIn("is drawn by", told)
         self.assertEqual(before, after)
+
+    def test_nothing_is_told(self):
+        before, _, told_before = self.run_script(
+            "vtkSmartVolumeMapper", "isosurface", VTK_AUTOLOAD_PATH=AUTOLOAD_PATH)
+        after, _, told = self.run_script(
+            "vtkSmartVolumeMapper", "isosurface", VTK_AUTOLOAD_PATH=AUTOLOAD_PATH,
+            VTK_TEMPORAL_COHERENCE_LOG="off")
+        self.assertEqual(told_before.count("is drawn by"), 1, told_before)
+        self.assertNotIn("is drawn by", told)
+        self.assertEqual(before, after)
+
+    def test_a_rule_that_is_none(self):
+        _, _, told = self.run_script(
+            "vtkGPUVolumeRayCastMapper", "composite", VTK_AUTOLOAD_PATH=AUTOLOAD_PATH,
+            VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES="sometimes")
+        self.assertIn("must be NEVER, SOFTWARE or ALWAYS, not SOMETIMES; it counts as SOFTWARE", told)
 
 
 class Call(unittest.TestCase):

@@ -4,11 +4,14 @@
 
 import ast
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
 
 import vtkTemporalCoherence
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 from vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
@@ -94,6 +97,22 @@ class Names(unittest.TestCase):
                 getattr(self.mapper, f"Set{setting}To{choice}")()
                 self.assertEqual(get(), CONSTANTS[constant], setting)
 
+    def test_what_is_no_choice(self):
+        @calldata_type(VTK_STRING)
+        def hear(_mapper, _event, text):
+            heard.append(text)
+
+        self.mapper.AddObserver("ErrorEvent", hear)
+        for setting, choices in CHOICES.items():
+            heard = []
+            getattr(self.mapper, f"Set{setting}")(99)
+            get = getattr(self.mapper, "Get" + setting)
+            self.assertEqual(get(), CONSTANTS[next(iter(choices.values()))], setting)
+            self.assertEqual(len(heard), 1, setting)
+            self.assertRegex(heard[0], f"{setting} must be .*, not 99; it stays")
+            for constant in choices.values():
+                self.assertIn(f"{constant} ({CONSTANTS[constant]})", heard[0])
+
     def test_switches(self):
         for setting, default in SWITCHES.items():
             get = getattr(self.mapper, "Get" + setting)
@@ -151,6 +170,16 @@ class Names(unittest.TestCase):
                     len(explanation(name, member)), 30,
                     f"{wrapped.__name__}.{name}: a group of methods begins with //@{{, as VTK's "
                     f"wrappers do not know ///@{{")
+
+    def test_pages_that_are_named_are_there(self):
+        named, folder = set(), pathlib.Path(vtkTemporalCoherence.__file__).parent
+        for each in (vtkTemporalCoherence, *CLASSES,
+                     *(getattr(vtkTemporalCoherence, name) for name in vtkTemporalCoherence.__all__)):
+            for text in (each.__doc__, *(member.__doc__ for member in getattr(each, "__dict__", {}).values())):
+                named.update(re.findall(r"Documentation/[\w.]*\w", text or ""))
+        self.assertIn("Documentation/Mapper.md", named)
+        for page in named:
+            self.assertIn("# ", (folder / page).read_text(encoding="utf-8"))
 
     def test_every_function_is_explained(self):
         for name in vtkTemporalCoherence.__all__:

@@ -3,6 +3,7 @@
 """Pictures in one line: they are those of the long way, and mistakes are sentences."""
 
 import importlib.metadata
+import ctypes
 import io
 import math
 import os
@@ -11,16 +12,18 @@ import re
 import tempfile
 import unittest
 import warnings
+from unittest import mock
 
 import numpy
 import vtkTemporalCoherence
 from example import read_png
 from spheres import STEP, distances, image_of
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet, vtkPolyData, vtkRectilinearGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
 from vtkTemporalCoherence import (
-    composite, isosurface, maximum, render, vtkTemporalCoherenceVolumeMapper)
+    composite, isosurface, maximum, render, vtkTemporalCoherenceVolumeMapper, write_png)
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 VALUE = 0.5
@@ -36,6 +39,20 @@ def ramp():
 def from_top(data):
     """The pixels of a PNG, row 0 at the top."""
     return read_png(data)[::-1]
+
+
+def without_points():
+    """An image whose numbers are those of cells; words are at the points."""
+    image = image_of(distances())
+    words, cells = vtkStringArray(), image.GetPointData().GetScalars()
+    cells.SetName("cells")
+    cells.SetNumberOfTuples(image.GetNumberOfCells())
+    image.GetCellData().AddArray(cells)
+    image.GetPointData().Initialize()
+    words.SetName("words")
+    words.SetNumberOfValues(image.GetNumberOfPoints())
+    image.GetPointData().AddArray(words)
+    return image
 
 
 class LabeledArray:
@@ -117,8 +134,17 @@ class Pictures(unittest.TestCase):
             volume.save(str(path), (30, 20))
             self.assertEqual(from_top(path.read_bytes()).shape, (20, 30, 4))
             for name in ("sphere.jpg", "sphere", "png"):
-                with self.assertRaisesRegex(ValueError, r"ends in \.png"):
-                    picture.save(os.path.join(folder, name))
+                path_of_another = os.path.join(folder, name)
+                for write in (picture.save, volume.save,
+                              lambda path: write_png(path, picture.planes.color)):
+                    for other in (path_of_another, pathlib.Path(path_of_another),
+                                  path_of_another.encode()):
+                        with self.assertRaisesRegex(ValueError, rf"ends in \.png, not '.*{name}'"):
+                            write(other)
+                self.assertFalse(os.path.exists(path_of_another))
+            for write in (picture.save, volume.save):
+                with self.assertRaisesRegex(TypeError, "a path or .*, not to int"):
+                    write(1)
             with self.assertRaisesRegex(ValueError, "background"):
                 picture.save(path, background=(2, 0, 0))
         stream = io.BytesIO()
@@ -208,6 +234,15 @@ class Pictures(unittest.TestCase):
     def test_no_display(self):
         self.assertNotIn("DISPLAY", os.environ)
         with self.assertRaisesRegex(RuntimeError, "no display"):
+            isosurface(ramp(), 40.0).show()
+
+    def test_display_that_does_not_answer(self):
+        try:
+            ctypes.CDLL("libX11.so.6")
+        except OSError:
+            self.skipTest("There is no X here.")
+        with mock.patch.dict(os.environ, {"DISPLAY": ":98765"}), \
+                self.assertRaisesRegex(RuntimeError, "No display answers at DISPLAY=':98765'"):
             isosurface(ramp(), 40.0).show()
 
 
@@ -342,6 +377,21 @@ class Blended(unittest.TestCase):
         faint = composite(distances(), opacity=0.2, **PLACE).picture((64, 64))
         self.assertLess(faint.color[..., 3].mean(), 0.9 * alpha[1].mean())
 
+    def test_bits(self):
+        ball = distances() > VALUE
+        expected = image_of(ball.astype(numpy.uint8))
+        bits = vtkBitArray()
+        bits.SetName("bits")
+        bits.SetNumberOfValues(ball.size)
+        for index, bit in enumerate(ball.ravel()):
+            bits.SetValue(index, int(bit))
+        image = image_of(ball.astype(numpy.uint8))
+        image.GetPointData().SetScalars(bits)
+        for make in (composite, maximum, lambda data: isosurface(data, 0.5, cmap=["red", "blue"])):
+            shown = make(image).picture((48, 48)).color
+            self.assertGreater(shown[24, 24, 3], 100)
+            self.assertTrue(numpy.array_equal(shown, make(expected).picture((48, 48)).color))
+
     def test_constant_and_infinite_values(self):
         for array in (numpy.full((5, 5, 5), 7.0), numpy.full((5, 5, 5), math.nan),
                       numpy.where(ramp() > 30.0, math.inf, 1.0)):
@@ -365,6 +415,12 @@ class Blended(unittest.TestCase):
         for make in (composite, maximum):
             with self.assertRaisesRegex(TypeError, "name of an array, not ndarray"):
                 make(ramp(), scalars=ramp())
+            for arguments, text in (
+                    ({"scalars": "cells"}, "no array 'cells' at the points: .* vtkCellDataToPointData"),
+                    ({"scalars": "words"}, "no array 'words' at the points: the data have no arrays"),
+                    ({}, "no array of numbers at the points: add one, .*vtkCellDataToPointData")):
+                with self.assertRaisesRegex(ValueError, text):
+                    make(without_points(), **arguments)
             with self.assertRaisesRegex(TypeError, "vtkResampleToImage"):
                 make(vtkUnstructuredGrid())
             with self.assertRaisesRegex(ValueError, "components"):

@@ -46,7 +46,7 @@ logged picture python3 /test/Testing/Packages/check_pictures.py 1 five_lines.png
 say "Five lines draw a picture"
 
 directory=$(python3 -c 'import os, vtkTemporalCoherence; print(os.path.dirname(vtkTemporalCoherence.__file__))')
-for file in py.typed vtkTemporalCoherence.pyi autoload/vtkTemporalCoherenceAutoload.so; do
+for file in py.typed vtkTemporalCoherence.pyi Documentation/Mapper.md autoload/vtkTemporalCoherenceAutoload.so; do
   [ -e "$directory/$file" ] || fail "there is no $file in $directory"
 done
 [ "$(find "$directory" -name 'libvtkTemporalCoherence*' | wc -l)" -eq 1 ] || fail "the library is there twice"

@@ -20,6 +20,8 @@ volume.GetProperty().GetIsoSurfaceValues(). help(vtkTemporalCoherenceVolumeMappe
 The last four are those of vtkTemporalCoherence.numpy_support. They need NumPy, and so do arrays,
 pictures and blended volumes. What the first three make is a PicturedVolume, and its picture a Picture.
 
+Pages that are named here, such as Documentation/Mapper.md, lie in the folder of this package.
+
 Arguments that the wrapped methods fill are lists, but for t, which is a reference:
 
     position, normal, index = [0.0] * 3, [0.0] * 3, [-1]

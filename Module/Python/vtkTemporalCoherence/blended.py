@@ -7,9 +7,10 @@ from __future__ import annotations
 import math
 from typing import Any, Sequence
 
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkDataArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkRectilinearGrid
 
-from .given_data import data_object
+from .given_data import arrays_of, chosen_array, data_object, finite_number
 from .pictures import PicturedVolume
 from .vtkTemporalCoherence import vtkTemporalCoherencePresets, vtkTemporalCoherenceVolumeMapper
 
@@ -60,9 +61,9 @@ def composite(
         raise TypeError(f"A preset is a name, not {type(preset).__name__}: {', '.join(PRESETS)}.")
     if preset is not None and preset not in PRESETS:
         raise ValueError(f"There is no preset {preset!r}, only {', '.join(PRESETS)}.")
-    if not 0.0 < _number("opacity", opacity) < math.inf:
+    if not 0.0 < finite_number("opacity", opacity) < math.inf:
         raise ValueError(f"The opacity must be a finite factor above 0, not {opacity!r}.")
-    shift = _number("shift", shift)
+    shift = finite_number("shift", shift)
     volume, samples = _volume(data, scalars, spacing, origin)
     name = preset or _PLAIN
     low, high = 0.0, 1.0
@@ -99,9 +100,9 @@ def maximum(
 
     Raises TypeError for data of another kind, ValueError for other mistakes.
     """
-    if window is not None and not _number("window", window) > 0.0:
+    if window is not None and not finite_number("window", window) > 0.0:
         raise ValueError(f"The window must be larger than 0, not {window!r}.")
-    level = level if level is None else _number("level", level)
+    level = level if level is None else finite_number("level", level)
     volume, samples = _volume(data, scalars, spacing, origin)
     if window is None or level is None:
         low, high = _ends(samples, _ENDS_OF_MAXIMA, leaves_out_least=False)
@@ -112,28 +113,17 @@ def maximum(
     return volume
 
 
-def _number(what: str, given: Any) -> float:
-    try:
-        number = float(given)
-    except (TypeError, ValueError):
-        number = math.nan
-    if not math.isfinite(number):
-        raise ValueError(f"The {what} must be a finite number, not {given!r}.")
-    return number
-
-
 def _volume(
     data: Any, scalars: str | None, spacing: Sequence[float] | None, origin: Sequence[float] | None
 ) -> tuple[BlendedVolume, Any]:
     """A volume of some data, and its samples as a NumPy array."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
     data = data_object(data, spacing, origin)
     if not isinstance(data, (vtkImageData, vtkRectilinearGrid)):
         raise TypeError(
             f"Values are blended in images and rectilinear grids, not in {type(data).__name__}: "
             f"resample it (vtkResampleToImage, or sample() of PyVista), or draw isosurface().")
-    name = _name_of(data, scalars)
-    array = data.GetPointData().GetArray(name) if name else data.GetPointData().GetScalars()
+    name, place = chosen_array(data, scalars, ("point",))
+    array = arrays_of(data, name, place)[0]
     if array.GetNumberOfComponents() > 1:
         raise ValueError(
             f"The array {name or 'without a name'!r} has {array.GetNumberOfComponents()} components: "
@@ -148,31 +138,17 @@ def _volume(
     look = volume.GetProperty()
     look.SetInterpolationTypeToLinear()
     look.SetScalarOpacityUnitDistance(_unit_distance(data))
-    return volume, vtk_to_numpy(array)
+    return volume, _as_numpy(array)
 
 
-def _name_of(data: vtkDataObject, scalars: str | None) -> str | None:
-    points = data.GetPointData()
-    names = [points.GetArrayName(i) for i in range(points.GetNumberOfArrays())
-             if points.GetArray(i) is not None]
-    if scalars is not None:
-        if not isinstance(scalars, str):
-            raise TypeError(
-                f"scalars must be the name of an array, not {type(scalars).__name__}: add the array to "
-                f"the data, or give it instead of the data.")
-        if scalars not in names:
-            raise ValueError(
-                f"There is no array {scalars!r} at the points: choose of "
-                f"{', '.join(map(str, names)) or 'none, as there are no arrays'}.")
-        return scalars
-    if points.GetScalars() is not None:
-        return points.GetScalars().GetName()
-    named = [name for name in names if name]
-    if not named:
-        raise ValueError(
-            "The grid has no array of numbers at its points: add one, or make one of cells by "
-            "vtkCellDataToPointData (cell_data_to_point_data() of PyVista).")
-    return named[0]
+def _as_numpy(array: vtkDataArray) -> Any:
+    """The numbers of an array; those of bits are copied, as NumPy has no bits."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    if isinstance(array, vtkBitArray):
+        bytes_of_bits = vtkUnsignedCharArray()
+        bytes_of_bits.DeepCopy(array)
+        array = bytes_of_bits
+    return vtk_to_numpy(array)
 
 
 def _unit_distance(data: vtkDataObject) -> float:

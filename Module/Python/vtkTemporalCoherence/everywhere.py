@@ -16,6 +16,9 @@ def use_everywhere(use: bool = True) -> None:
 
     use    False: make VTK's own again
 
+    VTK's log tells once in a process that it draws. The environment variable
+    VTK_TEMPORAL_COHERENCE_LOG, set to OFF, switches that off.
+
     A script that is not to be changed gets the same where the environment variable
     VTK_AUTOLOAD_PATH names the directory vtkTemporalCoherence/autoload beside the library.
     """

@@ -4,13 +4,20 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Iterator, Sequence
 
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkImageData, vtkPolyData, vtkRectilinearGrid)
+    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkDataSetAttributes, vtkImageData, vtkPolyData,
+    vtkRectilinearGrid)
 
 #: Distances of coordinates may differ by this share and still count as equal.
 _TOLERANCE = 1e-5
+
+#: What to do with arrays of cells where only those of points count.
+_TO_POINTS = (
+    "make one of that of the cells by vtkCellDataToPointData (cell_data_to_point_data() of PyVista)")
 
 
 def data_object(
@@ -66,6 +73,82 @@ def leaves(grid: vtkDataObject) -> Iterator[vtkDataSet]:
         if isinstance(iterator.GetCurrentDataObject(), vtkDataSet):
             yield iterator.GetCurrentDataObject()
         iterator.GoToNextItem()
+
+
+def attributes_of(leaf: vtkDataSet, place: str) -> vtkDataSetAttributes:
+    """The arrays at a place, "point" or "cell"."""
+    return leaf.GetPointData() if place == "point" else leaf.GetCellData()
+
+
+def arrays_of(grid: vtkDataObject, name: str | None, place: str) -> list[vtkDataArray]:
+    """The arrays of that name of all blocks; those without a name that are the active scalars."""
+    attributes = (attributes_of(leaf, place) for leaf in leaves(grid))
+    found = (each.GetScalars() if name is None else each.GetArray(name) for each in attributes)
+    return [array for array in found if array is not None]
+
+
+def chosen_array(
+    grid: vtkDataObject, scalars: str | None, places: Sequence[str]
+) -> tuple[str | None, str]:
+    """The name of the array to draw, and where it is: "point" or "cell". There is no name if active
+    scalars have none.
+
+    scalars  its name. None: the active scalars, or else the first array of numbers
+    places   where it may be, the first choice first
+
+    Raises TypeError for what is no name, ValueError if there is no such array.
+    """
+    if scalars is None:
+        return _default_array(grid, places)
+    if not isinstance(scalars, str):
+        raise TypeError(
+            f"scalars must be the name of an array, not {type(scalars).__name__}: add the array to "
+            f"the data, or give it instead of the data.")
+    for place in places:
+        if arrays_of(grid, scalars, place):
+            return scalars, place
+    names = sorted({
+        name for place in places for leaf in leaves(grid) for name in _names_of(leaf, place)})
+    if arrays_of(grid, scalars, "cell"):
+        remedy = _TO_POINTS
+    else:
+        remedy = f"choose of {', '.join(names)}" if names else "the data have no arrays of numbers"
+    raise ValueError(f"There is no array {scalars!r} at the {_named(places)}: {remedy}.")
+
+
+def _default_array(grid: vtkDataObject, places: Sequence[str]) -> tuple[str | None, str]:
+    for leaf in leaves(grid):
+        for place in places:
+            scalars = attributes_of(leaf, place).GetScalars()
+            if scalars is not None:
+                return scalars.GetName() or None, place
+        for place in places:
+            for name in _names_of(leaf, place):
+                return name, place
+    remedy = "add one, or give it as scalars" if "cell" in places else f"add one, or {_TO_POINTS}"
+    raise ValueError(f"The data have no array of numbers at the {_named(places)}: {remedy}.")
+
+
+def _names_of(leaf: vtkDataSet, place: str) -> list[str]:
+    """The names of arrays of numbers, in order."""
+    attributes = attributes_of(leaf, place)
+    return [attributes.GetArrayName(index) for index in range(attributes.GetNumberOfArrays())
+            if attributes.GetArray(index) is not None and attributes.GetArrayName(index)]
+
+
+def _named(places: Sequence[str]) -> str:
+    return " or ".join(f"{place}s" for place in sorted(places, reverse=True))
+
+
+def finite_number(what: str, given: Any) -> float:
+    """An argument as a number; ValueError if it is none."""
+    try:
+        number = float(given)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise ValueError(f"{what} must be a finite number, not {given!r}.")
+    return number
 
 
 def _is_array(data: Any) -> bool:

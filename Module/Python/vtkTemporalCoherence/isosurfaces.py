@@ -9,12 +9,11 @@ import math
 from typing import Any, Callable, Iterable, Sequence
 
 from vtkmodules.vtkCommonColor import vtkNamedColors
-from vtkmodules.vtkCommonCore import vtkDataArray, vtkScalarsToColors
-from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkDataSetAttributes, vtkPiecewiseFunction)
+from vtkmodules.vtkCommonCore import vtkScalarsToColors
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
-from .given_data import data_object, leaves
+from .given_data import arrays_of, attributes_of, chosen_array, data_object, finite_number
 from .pictures import PicturedVolume
 from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
 
@@ -129,7 +128,7 @@ def isosurface(
     opacity         from 0 to 1; several for several values
     lighting        False: colours without light
     ambient, diffuse, specular, specular_power
-                    the parts of light
+                    the parts of light, which are not negative
     smooth_shading  average normals at the points of a mesh. Those of images are always smooth
     ambient_occlusion
                     True: hollows are darker, so that depth shows; or how much, from 0 to 1. In a
@@ -150,7 +149,13 @@ def isosurface(
     values = _checked_values(values)
     if color is not None and cmap is not None:
         raise ValueError("A surface has a colour or a colour map: give color or cmap, not both.")
-    grid, name, place = _chosen_array(grid, scalars, preference)
+    if preference not in ("point", "cell"):
+        raise ValueError(f"The preference must be 'point' or 'cell', not {preference!r}.")
+    places = ("point", "cell") if preference == "point" else ("cell", "point")
+    if scalars is None or isinstance(scalars, str):
+        name, place = chosen_array(grid, scalars, places)
+    else:
+        grid, name, place = _with_array(grid, scalars, places)
 
     mapper = vtkTemporalCoherenceVolumeMapper()
     mapper.SetInputDataObject(grid)
@@ -169,10 +174,10 @@ def isosurface(
     appearance = volume.GetProperty()
     appearance.SetInterpolationTypeToLinear()
     appearance.SetShade(lighting)
-    appearance.SetAmbient(ambient)
-    appearance.SetDiffuse(diffuse)
-    appearance.SetSpecular(specular)
-    appearance.SetSpecularPower(specular_power)
+    appearance.SetAmbient(_checked_part("ambient", ambient))
+    appearance.SetDiffuse(_checked_part("diffuse", diffuse))
+    appearance.SetSpecular(_checked_part("specular", specular))
+    appearance.SetSpecularPower(_checked_part("specular_power", specular_power))
 
     volume._opacities = _checked_opacities(opacity)
     if cmap is None:
@@ -202,61 +207,6 @@ def _set_occlusion(
         mapper.SetAmbientOcclusionRadius(radius)
 
 
-def _attributes(leaf: vtkDataSet, place: str) -> vtkDataSetAttributes:
-    return leaf.GetPointData() if place == "point" else leaf.GetCellData()
-
-
-def _arrays(grid: vtkDataObject, name: str | None, place: str) -> list[vtkDataArray]:
-    """The arrays of that name of all blocks; those without a name that are the active scalars."""
-    attributes = (_attributes(leaf, place) for leaf in leaves(grid))
-    found = (each.GetScalars() if name is None else each.GetArray(name) for each in attributes)
-    return [array for array in found if array is not None]
-
-
-def _chosen_array(
-    grid: Any, scalars: Any, preference: str
-) -> tuple[vtkDataObject, str | None, str]:
-    """The grid that has the array, the array's name, and where it is: "point" or "cell".
-
-    There is no name if active scalars have none.
-    """
-    if preference not in ("point", "cell"):
-        raise ValueError(f"The preference must be 'point' or 'cell', not {preference!r}.")
-    places = ("point", "cell") if preference == "point" else ("cell", "point")
-    if scalars is None:
-        return (grid, *_default_array(grid, places))
-    if not isinstance(scalars, str):
-        return _with_array(grid, scalars, places)
-    for place in places:
-        if _arrays(grid, scalars, place):
-            return grid, scalars, place
-    raise ValueError(f"There is no array {scalars!r}: {_names_there_are(grid)}.")
-
-
-def _default_array(grid: vtkDataObject, places: Sequence[str]) -> tuple[str | None, str]:
-    for leaf in leaves(grid):
-        for place in places:
-            scalars = _attributes(leaf, place).GetScalars()
-            if scalars is not None:
-                return scalars.GetName() or None, place
-        for place in places:
-            attributes = _attributes(leaf, place)
-            for index in range(attributes.GetNumberOfArrays()):
-                if attributes.GetArray(index) is not None and attributes.GetArrayName(index):
-                    return attributes.GetArrayName(index), place
-    raise ValueError(
-        "The grid has no array of numbers at its points or cells: add one, or give it as scalars.")
-
-
-def _names_there_are(grid: vtkDataObject) -> str:
-    names = sorted({
-        attributes.GetArrayName(index)
-        for leaf in leaves(grid) for place in ("point", "cell")
-        for attributes in [_attributes(leaf, place)]
-        for index in range(attributes.GetNumberOfArrays()) if attributes.GetArrayName(index)})
-    return "choose of " + ", ".join(names) if names else "the grid has no arrays"
-
-
 def _with_array(
     grid: vtkDataObject, scalars: Any, places: Sequence[str]
 ) -> tuple[vtkDataObject, str, str]:
@@ -277,7 +227,7 @@ def _with_array(
     copy = grid.NewInstance()
     copy.ShallowCopy(grid)
     name = "isosurface scalars"
-    _attributes(copy, place).AddArray(data_array(scalars, scalars.shape[1:], name))
+    attributes_of(copy, place).AddArray(data_array(scalars, scalars.shape[1:], name))
     return copy, name, place
 
 
@@ -286,7 +236,7 @@ def _choose_component(
     component: int | None,
 ) -> bool:
     """Have one component of vectors drawn, or their length; are there vectors?"""
-    components = max(array.GetNumberOfComponents() for array in _arrays(grid, name, place))
+    components = max(array.GetNumberOfComponents() for array in arrays_of(grid, name, place))
     if component is not None:
         if component not in range(components):
             raise ValueError(
@@ -322,6 +272,13 @@ def _check_count(what: str, given: Sequence | None, values: Sequence[float]) -> 
     if given is not None and len(given) not in (1, len(values)):
         raise ValueError(
             f"{len(given)} {what} do not fit {len(values)} isovalues: give one, or one for each.")
+
+
+def _checked_part(what: str, given: float) -> float:
+    part = finite_number(what, given)
+    if part < 0.0:
+        raise ValueError(f"{what} must not be negative, but is {given!r}.")
+    return part
 
 
 def _checked_opacities(opacity: float | Sequence[float]) -> list[float]:
@@ -384,7 +341,7 @@ def _checked_clim(
     clim: Sequence[float] | None, grid: vtkDataObject, name: str | None, place: str, component: int
 ) -> tuple[float, float]:
     if clim is None:
-        ranges = [array.GetFiniteRange(component) for array in _arrays(grid, name, place)]
+        ranges = [array.GetFiniteRange(component) for array in arrays_of(grid, name, place)]
         return min(low for low, _ in ranges), max(high for _, high in ranges)
     try:
         low, high = (float(end) for end in clim)

@@ -179,14 +179,15 @@ def write_png(
 ) -> None:
     """Write the plane `color` of a picture as PNG.
 
-    file        a path, or an object with write(bytes)
+    file        a path that ends in .png, or an object with write(bytes)
     color       (height, width, 4) uint8, as from render(): the row written last is row 0
     background  red, green and blue, 0 to 1, of what is seen where the surfaces are not opaque.
                 None: the PNG is transparent there
 
-    Raises TypeError for another array, ValueError for an empty one or a background that is no
-    colour, OSError if the file cannot be written.
+    Raises TypeError for another array or what is no file, ValueError for an empty array, another
+    suffix or a background that is no colour, OSError if the file cannot be written.
     """
+    check_file(file)
     if not isinstance(color, numpy.ndarray):
         raise TypeError(
             f"A picture must be a NumPy array, not {type(color).__name__}: give the plane color of "
@@ -217,6 +218,19 @@ def _before(color: numpy.ndarray, background: Sequence[float]) -> numpy.ndarray:
     """The colours of a picture before a background."""
     behind = (255 - color[..., 3:]) * numpy.asarray(checked_background(background), numpy.float32)
     return numpy.rint(color[..., :3] + behind).astype(numpy.uint8)
+
+
+def check_file(file: str | os.PathLike | BinaryIO) -> None:
+    """For other modules of this package, too: can a PNG be written to this?"""
+    if hasattr(file, "write"):
+        return
+    if not isinstance(file, (str, bytes, os.PathLike)):
+        raise TypeError(
+            f"A picture is written to a path or to an object with write(bytes), not to "
+            f"{type(file).__name__}.")
+    if not os.fsdecode(file).lower().endswith(".png"):
+        raise ValueError(
+            f"Pictures are written as PNG: give a name that ends in .png, not {os.fsdecode(file)!r}.")
 
 
 def checked_background(background: Sequence[float]) -> Sequence[float]:

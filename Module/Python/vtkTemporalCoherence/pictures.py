@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import io
 import math
 import os
@@ -79,11 +80,10 @@ class Picture:
         file        a path that ends in .png, or an object with write(bytes)
         background  red, green and blue, 0 to 1. None: transparent where nothing is hit
 
-        Raises ValueError for another suffix or what is no colour, OSError if the file cannot be
-        written.
+        Raises TypeError for what is no file, ValueError for another suffix or what is no colour,
+        OSError if the file cannot be written.
         """
         from .numpy_support import write_png
-        _check_suffix(file)
         write_png(file, self.planes.color, background)
 
     def _repr_png_(self) -> bytes:
@@ -160,7 +160,8 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
         background: Sequence[float] | None = None,
     ) -> None:
         """Write a picture as PNG: see Picture.save()."""
-        _check_suffix(file)
+        from .numpy_support import check_file
+        check_file(file)
         self.picture(size).save(file, background)
 
     def data_changed(self) -> None:
@@ -180,13 +181,12 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
 
         Pictures have the window's last camera from then on.
 
-        Raises RuntimeError if no display is set, TypeError and ValueError for other arguments.
+        Raises RuntimeError where no display answers, TypeError and ValueError for other arguments.
         """
         from .numpy_support import checked_background, checked_size
         width, height = checked_size(size)
         background = checked_background(background)
-        if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-            raise RuntimeError("There is no display for a window: use save() or picture().")
+        _check_display()
         renderer = vtkRenderer()
         renderer.SetBackground(*background)
         renderer.SetActiveCamera(self.renderer.GetActiveCamera())
@@ -218,9 +218,24 @@ class PicturedVolume(vtkTemporalCoherenceVolume):
         return f"<{type(self).__name__} from ({low}) to ({high})>"
 
 
-def _check_suffix(file: str | os.PathLike | BinaryIO) -> None:
-    if not hasattr(file, "write") and not os.fsdecode(file).lower().endswith(".png"):
-        raise ValueError(f"Pictures are written as PNG: give a name that ends in .png, not {file!r}.")
+def _check_display() -> None:
+    """VTK ends the process where no X server answers."""
+    if not sys.platform.startswith("linux"):
+        return
+    if not os.environ.get("DISPLAY"):
+        raise RuntimeError("There is no display for a window: use save() or picture().")
+    try:
+        x11 = ctypes.CDLL("libX11.so.6")
+    except OSError:
+        return  # so VTK does not ask an X server, either
+    x11.XOpenDisplay.argtypes, x11.XOpenDisplay.restype = [ctypes.c_char_p], ctypes.c_void_p
+    x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+    display = x11.XOpenDisplay(None)
+    if not display:
+        raise RuntimeError(
+            f"No display answers at DISPLAY={os.environ['DISPLAY']!r}: correct that, or use save() or "
+            f"picture().")
+    x11.XCloseDisplay(display)
 
 
 def _view(view: Any) -> tuple[Sequence[float], Sequence[float]]:

@@ -204,12 +204,6 @@ void TestRemovedAccuracy()
   const vtkMTimeType before = scene.Mapper->GetMTime();
   scene.Mapper->SetReuseAccuracy(Mapper::BOUNDED);
   Expect(warnings.Count == 1 && scene.Mapper->GetMTime() == before, "BOUNDED again: no change");
-  for (const int beyond : { -7, 7 })
-  {
-    scene.Mapper->SetReuseAccuracy(beyond);
-    Expect(scene.Mapper->GetReuseAccuracy() == (beyond < 0 ? Mapper::EXACT : Mapper::PAPER),
-      "an accuracy beyond the last one is that one");
-  }
   Expect(warnings.Count == 1, "no other warning");
 }
 

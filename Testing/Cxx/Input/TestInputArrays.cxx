@@ -327,10 +327,6 @@ void TestSetters()
 {
   vtkNew<Mapper> mapper;
   Expect(mapper->GetVectorMode() == Mapper::DISABLED, "by default, the property chooses");
-  mapper->SetVectorMode(99);
-  Expect(mapper->GetVectorMode() == 1, "clamped");
-  mapper->SetVectorMode(-99);
-  Expect(mapper->GetVectorMode() == -1, "clamped");
   mapper->SetVectorModeToMagnitude();
   Expect(mapper->GetVectorMode() == 0, "as in vtkSmartVolumeMapper");
 }

@@ -10,6 +10,7 @@
 #include "Scenes/Scene.h"
 #include "Volumes/Ghosts.h"
 #include "Volumes/Volumes.h"
+#include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 
 #include <vtkCellData.h>
 #include <vtkContourValues.h>
@@ -413,6 +414,63 @@ void TestSettings()
   Expect(scene.Mapper->GetImageSampleDistance() == 100.0f, "the distance stays");
 }
 
+/// A value that is none of a setting's choices is an error that names them, and the setting stays.
+void TestChoices()
+{
+  using Mapper = vtkTemporalCoherenceVolumeMapper;
+  using Door = vtkTemporalCoherenceGPUVolumeRayCastMapper;
+  vtkNew<Mapper> mapper;
+  vtkNew<Door> door;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  door->AddObserver(vtkCommand::ErrorEvent, observer);
+  const auto expectChoices =
+    [&](vtkObject* object, auto set, auto get, int last, const std::string& sentence)
+  {
+    set(last);
+    Expect(get() == last && !observer->GetError(), sentence + " A choice is none.");
+    for (const int wrong : { -99, last + 1, 99 })
+    {
+      const vtkMTimeType before = object->GetMTime();
+      set(wrong);
+      const std::string value = ", not " + std::to_string(wrong) + "; it stays ";
+      std::string expected = sentence;
+      expected.replace(expected.find("; it stays "), 11, value);
+      Expect(observer->GetErrorMessage().find("): " + expected) != std::string::npos,
+        expected + " But it is: " + observer->GetErrorMessage());
+      Expect(get() == last && object->GetMTime() == before, sentence + " It does stay.");
+      observer->Clear();
+    }
+  };
+  const auto expectOfMapper =
+    [&](void (Mapper::*set)(int), int (Mapper::*get)(), int last, const std::string& sentence)
+  {
+    expectChoices(
+      mapper, [&](int value) { (mapper->*set)(value); }, [&] { return (mapper->*get)(); }, last,
+      sentence);
+  };
+  expectOfMapper(&Mapper::SetSurfaceMode, &Mapper::GetSurfaceMode, Mapper::THRESHOLD,
+    "SurfaceMode must be CROSSING (0) or THRESHOLD (1); it stays THRESHOLD (1).");
+  expectOfMapper(&Mapper::SetVectorMode, &Mapper::GetVectorMode, Mapper::COMPONENT,
+    "VectorMode must be DISABLED (-1), MAGNITUDE (0) or COMPONENT (1); it stays COMPONENT (1).");
+  expectOfMapper(&Mapper::SetAntialiasing, &Mapper::GetAntialiasing, Mapper::ANTIALIASING_ALWAYS,
+    "Antialiasing must be ANTIALIASING_OFF (0), ANTIALIASING_WHEN_STILL (1) or ANTIALIASING_ALWAYS "
+    "(2); it stays ANTIALIASING_ALWAYS (2).");
+  expectOfMapper(&Mapper::SetReuseAccuracy, &Mapper::GetReuseAccuracy, Mapper::PAPER,
+    "ReuseAccuracy must be EXACT (1) or PAPER (2); it stays PAPER (2).");
+  expectOfMapper(&Mapper::SetImageCachePolicy, &Mapper::GetImageCachePolicy, Mapper::KEY_IMAGE,
+    "ImageCachePolicy must be LATEST (0) or KEY_IMAGE (1); it stays KEY_IMAGE (1).");
+  expectOfMapper(&Mapper::SetImageCacheShading, &Mapper::GetImageCacheShading, Mapper::INTERPOLATE,
+    "ImageCacheShading must be RESHADE (0) or INTERPOLATE (1); it stays INTERPOLATE (1).");
+  expectOfMapper(&Mapper::SetIsomapShading, &Mapper::GetIsomapShading, Mapper::INTERPOLATE,
+    "IsomapShading must be RESHADE (0) or INTERPOLATE (1); it stays INTERPOLATE (1).");
+  expectChoices(
+    door, [&](int value) { door->SetBlendVolumes(value); }, [&] { return door->GetBlendVolumes(); },
+    Door::BLEND_ALWAYS,
+    "BlendVolumes must be BLEND_NEVER (0), BLEND_ON_SOFTWARE_OPENGL (1) or BLEND_ALWAYS (2); it "
+    "stays BLEND_ALWAYS (2).");
+}
+
 int TestErrors(int, char*[])
 {
   // The Debug driver traps operations on what is not a number, which is what is tested here.
@@ -424,5 +482,6 @@ int TestErrors(int, char*[])
   TestMultiVolume();
   TestEmptyPictures();
   TestSettings();
+  TestChoices();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -55,6 +55,7 @@ private slots:
   void PicturesAndFilmsAreFinal();
   void VolumesAreMadeInParts();
   void ClicksOfTheWheelAreJoined();
+  void TrianglesAreExported();
 
   void TheHistogramMovesIsovalues();
   void TheHistogramMovesOpacities();
@@ -64,6 +65,8 @@ private slots:
   void PicturesHaveAnnotations();
   void ThePointerTellsWhatIsThere();
   void MenusHaveTicks();
+  void DistancesAreMeasured();
+  void ViewsAreRemembered();
   void KeysOfVersion01();
   void KeyboardAlone();
   void NothingIsCutOff();

@@ -222,3 +222,37 @@ void ExplorerTests::ClicksOfTheWheelAreJoined()
   QVERIFY(frames.count() <= 2); // the window may be drawn for another reason
   QVERIFY(before.Position != this->Bench->Data.View.Camera().Position);
 }
+
+// Of what is seen: half of it where a plane clips the other half away.
+void ExplorerTests::TrianglesAreExported()
+{
+  QSignalSpy said(this->Bench.get(), &Workbench::Said);
+  const auto count = [&](const char* name)
+  {
+    const QString path = this->Directory.filePath(name);
+    this->Bench->ExportTriangles(path.toStdString());
+    while (this->Bench->IsBusy())
+    {
+      QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    const QString sentence = said.last()[0].toString();
+    return QFile(path).size() > 1000 ? sentence.section(' ', -2, -2).toInt() : 0;
+  };
+  const int all = count("surface.stl");
+  QVERIFY(all > 500);
+  QCOMPARE(count("surface.ply"), all);
+  QCOMPARE(count("surface.vtp"), all);
+  this->Bench->Edit("clipping",
+    [](Look& look)
+    {
+      look.Values[Row::Clipping] = 1;
+      look.Clip = Plane{ { 15.5, 15.5, 15.5 }, { 1.0, 0.0, 0.0 } };
+    });
+  const int half = count("half.vtp");
+  QVERIFY2(half > all / 4 && half < 3 * all / 4, std::to_string(half).c_str());
+  QCOMPARE(count("surface.obj"), 0);
+  QVERIFY(said.last()[0].toString().contains(".stl"));
+  this->Bench->Edit("surface", [](Look& look) { look.Surfaces[0].IsVisible = false; });
+  QCOMPARE(count("none.stl"), 0);
+  QVERIFY(said.last()[0].toString().contains("no surface"));
+}

@@ -153,8 +153,8 @@ void Annotations::Show(const Volume& volume, int component, const Box& bounds)
 bool Annotations::HasAny() const
 {
   return this->Cut->GetVisibility() || this->OutlineActor->GetVisibility() ||
-    this->Axes->GetVisibility() || this->ScaleBar->GetVisibility() ||
-    this->ColorBar->GetVisibility();
+    this->Axes->GetVisibility() || this->Ruler->GetVisibility() ||
+    this->ScaleBar->GetVisibility() || this->ColorBar->GetVisibility();
 }
 
 void Annotations::ShowRuler(const Point& from, const Point& to)
@@ -172,6 +172,17 @@ void Annotations::ShowRuler(const Point& from, const Point& to)
   this->Ruler->SetLabel(label.str().c_str());
   this->Ruler->SetArrowPlacementToNone();
   this->Ruler->VisibilityOn();
+}
+
+void Annotations::ShowRulerOf(const Annotations& other)
+{
+  if (other.Ruler->GetVisibility())
+  {
+    Point from, to;
+    std::copy_n(other.Ruler->GetPositionCoordinate()->GetValue(), 3, from.begin());
+    std::copy_n(other.Ruler->GetPosition2Coordinate()->GetValue(), 3, to.begin());
+    this->ShowRuler(from, to);
+  }
 }
 
 void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors)

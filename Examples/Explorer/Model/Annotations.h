@@ -35,6 +35,7 @@ public:
 
   // In any picture until it is hidden, or until other data are shown.
   void ShowRuler(const Point& from, const Point& to);
+  void ShowRulerOf(const Annotations& other);
   void HideRuler() { this->Ruler->VisibilityOff(); }
 
   // Samples at points of an image.

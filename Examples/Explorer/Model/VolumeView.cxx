@@ -404,6 +404,7 @@ vtkSmartPointer<vtkImageData> VolumeView::Finished(vtkImageData* frame, bool has
     Annotations annotations(renderer);
     annotations.Show(this->Shown, this->Component, this->Bounds);
     annotations.Apply(this->Applied, this->Actor->GetProperty()->GetRGBTransferFunction());
+    annotations.ShowRulerOf(this->Beside);
     const int* const size = this->Renderer->GetSize();
     annotations.DrawOver(frame, size[1] > 0 ? 1.0 * frame->GetDimensions()[1] / size[1] : 1.0);
   }

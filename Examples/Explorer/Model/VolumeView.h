@@ -66,7 +66,7 @@ public:
   };
   std::optional<Seen> SeenAt(int x, int y);
 
-  // A line with its length, in the view alone.
+  // A line with its length.
   void ShowRuler(const Point& from, const Point& to) { this->Beside.ShowRuler(from, to); }
   void HideRuler() { this->Beside.HideRuler(); }
 

@@ -9,15 +9,11 @@ if (NOT UNIX)
 endif ()
 set(examples "${CMAKE_CURRENT_LIST_DIR}/../Examples")
 add_subdirectory("${examples}/Common" Files/ExamplesCommon)
+add_subdirectory("${examples}/Common/Model" Files/ExamplesModel)
 
 # The programs have headers of the same names, so each way has a library of its own.
-add_library(DrawInExplorer STATIC
-  "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInExplorer.cxx"
-  "${examples}/Explorer/Model/Settings.cxx"
-  "${examples}/Explorer/Model/Model.cxx"
-  "${examples}/Explorer/Model/Session.cxx"
-  "${examples}/Explorer/Model/VolumeView.cxx")
-target_include_directories(DrawInExplorer PRIVATE "${examples}/Explorer")
+add_library(DrawInExplorer STATIC "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInExplorer.cxx")
+target_link_libraries(DrawInExplorer PUBLIC ExamplesModel)
 add_library(DrawInOrbitAndSweep STATIC
   "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInOrbitAndSweep.cxx"
   "${examples}/OrbitAndSweep/Extraction.cxx"

@@ -4,7 +4,7 @@
 #define Workbench_h
 
 #include "Model/Model.h"
-#include "Work/Recorder.h"
+#include "Model/Recorder.h"
 
 #include <vtkNew.h>
 #include <vtkTemporalCoherenceRefiner.h>

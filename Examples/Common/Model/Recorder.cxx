@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Work/Recorder.h"
+#include "Model/Recorder.h"
 
 #include "Program/Quoted.h"
 #include "Program/Silence.h"
@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <utility>
 
-#ifdef EXPLORER_HAS_THEORA
+#ifdef EXAMPLES_HAVE_THEORA
 #include <vtkOggTheoraWriter.h>
 #endif
 
@@ -69,7 +69,7 @@ void Recorder::Start(const std::string& format)
     fs::create_directories(this->Target, error);
     return;
   }
-#ifdef EXPLORER_HAS_THEORA
+#ifdef EXAMPLES_HAVE_THEORA
   this->Target = FirstFree(this->Directory, "recording-", ".ogv");
   const auto film = vtkSmartPointer<vtkOggTheoraWriter>::New();
   film->SetQuality(2);
@@ -89,7 +89,7 @@ void Recorder::Add(vtkImageData* picture)
   {
     WritePng(picture, (target / Numbered("frame-", this->Frames, ".png")).string(), Remedy);
   }
-#ifdef EXPLORER_HAS_THEORA
+#ifdef EXAMPLES_HAVE_THEORA
   if (auto* film = vtkOggTheoraWriter::SafeDownCast(this->Film))
   {
     const Silence silence;
@@ -111,7 +111,7 @@ void Recorder::Add(vtkImageData* picture)
 
 std::string Recorder::Stop()
 {
-#ifdef EXPLORER_HAS_THEORA
+#ifdef EXAMPLES_HAVE_THEORA
   if (this->Film && this->Frames > 0)
   {
     const Silence silence;

@@ -19,8 +19,8 @@ package mricron-data, or four generated spheres where that cannot be had.
 
 What is missing is installed with apt (see Module/setup.sh --help), for --explore VTK's Qt widgets
 (package libvtk9-qt-dev), for DICOM GDCM (libgdcm-dev), too. vtkTemporalCoherence is built and
-installed into build/install, and Examples/OrbitAndSweep (with --explore: Examples/Explorer) is built
-against what is installed there.
+installed into build/install, and Examples/OrbitAndSweep (with --explore: Examples/Explorer, with
+--picture: Examples/Command) is built against what is installed there.
 
   --no-packages          install no packages
   --size WxH | N         pixels of a picture; default 1024
@@ -33,9 +33,11 @@ against what is installed there.
   --raw NX,NY,NZ,TYPE[,SX,SY,SZ], --big-endian
                          what a file of bare samples holds, for example 256,256,110,uchar,1,1,2
   --quick                small pictures, few frames
+  --picture              one picture or film of your choice by the command temporal-coherence, which
+                         is built instead: --picture --iso 45,110 -o head.png (Documentation/Command.md)
   --explore              a window to look around in instead of pictures; needs a display
-  --help                 show this text; that of build/examples/OrbitAndSweep/OrbitAndSweep and
-                         build/examples/Explorer/Explorer tells all options
+  --help                 show this text; that of the program that was built (build/examples/...) tells
+                         all options
 TEXT
 }
 
@@ -50,10 +52,12 @@ head_isovalue=45 # skin
 # Options of the program that a value follows: the value is not the name of a volume.
 takes_value()
 {
-  [[ $1 =~ ^--(size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|screenshot)$ ]]
+  local common='size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|screenshot'
+  local of_picture='iso|opacity|color|preset|shift|window|level|azimuth|elevation|zoom|clip|background'
+  [[ $1 =~ ^(-o|--($common|$of_picture|samples|film|rate))$ ]]
 }
 
-program=OrbitAndSweep
+example=OrbitAndSweep
 setup_options=()
 arguments=()
 volume=
@@ -62,10 +66,14 @@ while [ $# -gt 0 ]; do
   case $1 in
     --help | -h) usage; exit 0 ;;
     --no-packages) setup_options+=("$1") ;;
-    --explore | --interactive) program=Explorer; setup_options+=(--with-explorer) ;;
+    --explore | --interactive) example=Explorer; setup_options+=(--with-explorer) ;;
+    --picture) example=Command ;;
     --session) volume=of_session; arguments+=("$1") ;;
     --spheres) volume=generated; arguments+=("$1") ;;
-    --isovalue) isovalue_given=yes; arguments+=("$1") ;;
+    --isovalue | --iso | --preset | --maximum | --minimum | --average | --film)
+      isovalue_given=yes
+      arguments+=("$1")
+      ;;
     -?*) arguments+=("$1") ;;
     *) [ -n "$volume" ] || volume=$1; arguments+=("$1") ;;
   esac
@@ -97,10 +105,10 @@ logged()
 }
 
 : >"$build/example.log"
-directory=$build/examples/$program
-printf '[example] Installing into %s and building %s against it\n' "$build/install" "$program"
+directory=$build/examples/$example
+printf '[example] Installing into %s and building %s against it\n' "$build/install" "$example"
 logged cmake --install "$build" --prefix "$build/install"
-logged cmake -S "$repository/Examples/$program" -B "$directory" -G Ninja \
+logged cmake -S "$repository/Examples/$example" -B "$directory" -G Ninja \
   -DCMAKE_PREFIX_PATH="$build/install" -DCMAKE_BUILD_TYPE=Release
 logged cmake --build "$directory" --parallel
 
@@ -112,7 +120,10 @@ if [ -z "$volume" ]; then
   else
     printf '[example] %s is not there (Debian package mricron-data): four generated spheres instead\n' \
       "$head_volume"
+    arguments=(--spheres 256 "${arguments[@]}")
     [ "$isovalue_given" = yes ] || arguments+=(100)
   fi
 fi
+program=$example
+[ "$example" != Command ] || program=temporal-coherence
 exec "$directory/$program" "${arguments[@]}"

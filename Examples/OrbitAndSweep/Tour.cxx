@@ -4,6 +4,7 @@
 
 #include "Options.h"
 #include "Pictures.h"
+#include "Program/Terminal.h"
 #include "Program/UserError.h"
 #include "Scene.h"
 #include "View/Isovalue.h"
@@ -18,25 +19,10 @@
 #include <iomanip>
 #include <sstream>
 
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
-
 namespace
 {
 
 constexpr double DegreesPerFrame = 2.0;
-
-bool IsTerminal()
-{
-#ifdef _WIN32
-  return _isatty(_fileno(stdout)) != 0;
-#else
-  return isatty(STDOUT_FILENO) != 0;
-#endif
-}
 
 // One line that changes in place on a terminal; elsewhere one line for each part of the tour.
 class Progress
@@ -54,7 +40,7 @@ public:
   }
 
 private:
-  bool InPlace = IsTerminal();
+  bool InPlace = IsTerminal(stdout);
 };
 
 class Tour

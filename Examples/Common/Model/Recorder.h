@@ -3,11 +3,11 @@
 #ifndef Recorder_h
 #define Recorder_h
 
-#include <vtkAlgorithm.h>
-#include <vtkImageData.h>
-#include <vtkSmartPointer.h>
+#include "Model/Film.h"
 
-#include <filesystem>
+#include <vtkImageData.h>
+
+#include <optional>
 #include <string>
 
 // Keeps pictures: single ones, and one after another as a recording. Names are counted up, so that
@@ -22,7 +22,7 @@ public:
 
   // As "png", a directory of numbered pictures, or as "ogv", a film.
   void Start(const std::string& format);
-  bool IsRecording() const { return !this->Target.empty(); }
+  bool IsRecording() const { return this->IsOn; }
   void Add(vtkImageData* picture);
 
   // How many pictures are where.
@@ -31,9 +31,8 @@ public:
   const std::string Directory;
 
 private:
-  std::filesystem::path Target;
-  vtkSmartPointer<vtkAlgorithm> Film; // null: pictures
-  int Frames = 0;
+  std::optional<Film> Target; // of the recording, or of the last one
+  bool IsOn = false;
 };
 
 #endif

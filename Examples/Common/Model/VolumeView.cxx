@@ -300,18 +300,11 @@ double VolumeView::LongestEdge() const
 
 void VolumeView::LookFrom(const std::string& from, const std::string& up)
 {
-  const double* bounds = this->Actor->GetBounds();
-  Viewpoint(this->Renderer, bounds, from, up).PlaceCamera(this->Renderer, 0.0);
+  const Viewpoint around(this->Renderer, this->Actor->GetBounds(), from, up);
+  around.PlaceCamera(this->Renderer, 0.0);
   // As large as it can be as it lies there; a little smaller, so that it may be turned.
-  double widest = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    double x = bounds[corner & 1], y = bounds[2 + ((corner >> 1) & 1)],
-           z = bounds[4 + ((corner >> 2) & 1)];
-    this->Renderer->WorldToView(x, y, z);
-    widest = std::max({ widest, std::abs(x), std::abs(y) });
-  }
-  this->Renderer->GetActiveCamera()->Zoom(std::clamp(ShareFilled / widest, 0.3, 3.0));
+  const double share = around.ShareOfView(this->Renderer, this->Renderer->GetTiledAspectRatio());
+  this->Renderer->GetActiveCamera()->Zoom(std::clamp(ShareFilled / share, 0.3, 3.0));
 }
 
 CameraState VolumeView::Camera() const

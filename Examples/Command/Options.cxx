@@ -10,8 +10,10 @@
 #include <vtkNamedColors.h>
 #include <vtkNew.h>
 #include <vtkTemporalCoherencePresets.h>
+#include <vtkType.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace
@@ -183,7 +185,10 @@ void AddLook(CommandLine& line, Options& options)
   }
   line.AddSetting("--window",
     [&o](Text option, Text value)
-    { o.Window = ParseNumber(option, value, VTK_DBL_MIN, VTK_DOUBLE_MAX, "a number above 0"); });
+    {
+      o.Window = ParseNumber(
+        option, value, std::numeric_limits<double>::min(), VTK_DOUBLE_MAX, "a number above 0");
+    });
   line.AddSetting(
     "--level", [&o](Text option, Text value) { o.Level = ParseNumber(option, value); });
   line.AddSwitch("--occlusion", [&o] { o.HasOcclusion = true; });

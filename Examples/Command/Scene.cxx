@@ -85,7 +85,12 @@ private:
   void OnError(vtkObject*, unsigned long, void* text) { this->Error = SentenceOf(text); }
   void OnWarning(vtkObject*, unsigned long, void* text)
   {
-    this->Of.Said.push_back(SentenceOf(text));
+    std::vector<std::string>& said = this->Of.Said;
+    const std::string sentence = SentenceOf(text);
+    if (std::find(said.begin(), said.end(), sentence) == said.end())
+    {
+      said.push_back(sentence);
+    }
   }
 
   Scene& Of;

@@ -124,8 +124,13 @@ fs::path TargetOf(const Options& options)
     return target;
   }
   std::error_code error;
+  const bool wasThere = fs::exists(target, error);
   fs::create_directories(target, error);
   TryToWrite(target / "frame-0001.png");
+  if (!wasThere)
+  {
+    fs::remove(target, error);
+  }
   return target;
 }
 

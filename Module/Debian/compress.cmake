@@ -3,7 +3,8 @@
 #
 # Run by CPack when all files of its packages lie ready: Debian's manual pages are compressed, without
 # the time of day that gzip would put in.
-file(GLOB_RECURSE manuals "${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*/share/man/*.1")
+file(GLOB_RECURSE manuals "${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*.1")
+list(FILTER manuals INCLUDE REGEX "/share/man/man1/")
 foreach (manual IN LISTS manuals)
   execute_process(COMMAND gzip --force --best --no-name "${manual}" RESULT_VARIABLE result)
   if (result)

@@ -11,6 +11,7 @@ usage()
 Show a volume's isosurface: pictures of an orbit and of a sweep of its isovalue, and what each took.
 
 usage: Examples/run.sh [VOLUME [ISOVALUE]] [OPTIONS]
+       Examples/run.sh --command [VOLUME [ISOVALUE]] [OPTIONS] [-o PICTURE.png]
 
 VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk,
 Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a directory with a DICOM series, or, with
@@ -34,6 +35,8 @@ against what is installed there.
                          what a file of bare samples holds, for example 256,256,110,uchar,1,1,2
   --quick                small pictures, few frames
   --explore              a window to look around in instead of pictures; needs a display
+  --command              one picture or film, by Examples/Command, whose options follow; --command
+                         --help lists them
   --help                 show this text; that of build/examples/OrbitAndSweep/OrbitAndSweep and
                          build/examples/Explorer/Explorer tells all options
 TEXT
@@ -50,7 +53,9 @@ head_isovalue=45 # skin
 # Options of the program that a value follows: the value is not the name of a volume.
 takes_value()
 {
-  [[ $1 =~ ^--(size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|screenshot)$ ]]
+  [[ $1 =~ ^(-o|--(size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|screenshot))$ ]] ||
+    [[ $1 =~ ^--(iso|opacity|color|palette|material|light|preset|shift|window|level|draw|azimuth)$ ]] ||
+    [[ $1 =~ ^--(elevation|zoom|clip|cut|background|samples|film|rate)$ ]]
 }
 
 program=OrbitAndSweep
@@ -60,12 +65,20 @@ volume=
 isovalue_given=no
 while [ $# -gt 0 ]; do
   case $1 in
-    --help | -h) usage; exit 0 ;;
+    --help | -h)
+      if [ "$program" = Command ]; then
+        arguments+=("$1")
+      else
+        usage
+        exit 0
+      fi
+      ;;
+    --command) program=Command ;;
     --no-packages) setup_options+=("$1") ;;
     --explore | --interactive) program=Explorer; setup_options+=(--with-explorer) ;;
     --session) volume=of_session; arguments+=("$1") ;;
     --spheres) volume=generated; arguments+=("$1") ;;
-    --isovalue) isovalue_given=yes; arguments+=("$1") ;;
+    --isovalue | --iso | --preset | --maximum | --draw) isovalue_given=yes; arguments+=("$1") ;;
     -?*) arguments+=("$1") ;;
     *) [ -n "$volume" ] || volume=$1; arguments+=("$1") ;;
   esac
@@ -98,6 +111,8 @@ logged()
 
 : >"$build/example.log"
 directory=$build/examples/$program
+binary=$directory/$program
+[ "$program" != Command ] || binary=$directory/temporal-coherence
 printf '[example] Installing into %s and building %s against it\n' "$build/install" "$program"
 logged cmake --install "$build" --prefix "$build/install"
 logged cmake -S "$repository/Examples/$program" -B "$directory" -G Ninja \
@@ -115,4 +130,4 @@ if [ -z "$volume" ]; then
     [ "$isovalue_given" = yes ] || arguments+=(100)
   fi
 fi
-exec "$directory/$program" "${arguments[@]}"
+exec "$binary" "${arguments[@]}"

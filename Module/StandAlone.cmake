@@ -40,7 +40,7 @@ if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
 endif ()
 if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   set(vtk_chart_components
-    ChartsCore IOExport RenderingContext2D RenderingContextOpenGL2 RenderingFreeType)
+    ChartsCore IOExport RenderingContext2D RenderingContextOpenGL2)
 endif ()
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${vtk_components}

@@ -114,7 +114,7 @@ Annotations::Annotations(vtkRenderer* renderer)
   this->ColorBar->SetNumberOfLabels(5);
   this->ColorBar->SetLabelFormat("%.4g");
   this->ColorBar->UnconstrainedFontSizeOn();
-  this->ColorBar->SetPosition(0.9, 0.15);
+  this->ColorBar->SetPosition(0.84, 0.15);
   this->ColorBar->SetWidth(0.07);
   this->ColorBar->SetHeight(0.7);
   for (vtkProp* prop :

@@ -59,21 +59,21 @@ std::string Recorder::Save(vtkImageData* picture)
   return path;
 }
 
-void Recorder::Start(const std::string& format)
+void Recorder::Start(const std::string& format, const std::string& path, [[maybe_unused]] int rate)
 {
   this->Frames = 0;
   if (format == "png")
   {
-    this->Target = FirstFree(this->Directory, "recording-", "");
+    this->Target = path.empty() ? FirstFree(this->Directory, "recording-", "") : fs::path(path);
     std::error_code error;
     fs::create_directories(this->Target, error);
     return;
   }
 #ifdef EXAMPLES_HAVE_THEORA
-  this->Target = FirstFree(this->Directory, "recording-", ".ogv");
+  this->Target = path.empty() ? FirstFree(this->Directory, "recording-", ".ogv") : fs::path(path);
   const auto film = vtkSmartPointer<vtkOggTheoraWriter>::New();
   film->SetQuality(2);
-  film->SetRate(25);
+  film->SetRate(rate);
   film->SetFileName(this->Target.string().c_str());
   this->Film = film;
 #else

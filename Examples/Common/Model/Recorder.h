@@ -20,8 +20,9 @@ public:
   std::string NextPath() const;            // of a single picture
   std::string Save(vtkImageData* picture); // there; where it is
 
-  // As "png", a directory of numbered pictures, or as "ogv", a film.
-  void Start(const std::string& format);
+  // As "png", a directory of numbered pictures, or as "ogv", a film of so many frames a second.
+  // Without a path it is counted up.
+  void Start(const std::string& format, const std::string& path = "", int rate = 25);
   bool IsRecording() const { return !this->Target.empty(); }
   void Add(vtkImageData* picture);
 

@@ -14,6 +14,7 @@
 #include <vtkCommand.h>
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
+#include <vtkImageShrink3D.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPiecewiseFunction.h>
@@ -370,15 +371,17 @@ vtkSmartPointer<vtkImageData> VolumeView::LastFrame()
   {
     throw UserError("There is no picture yet; open a volume first.");
   }
-  return this->Finished(frame, true);
+  return this->Finished(frame.Get(), true, 1);
 }
 
 vtkSmartPointer<vtkImageData> VolumeView::Picture(
-  int width, int height, const Progress& progress, bool hasBackground)
+  int width, int height, const Progress& progress, bool hasBackground, int raysOfSide)
 {
   vtkNew<vtkImageData> frame;
   this->Renderer->ResetCameraClippingRange();
   const Watched watch(this->Mapper, vtkCommand::VolumeMapperRenderProgressEvent, progress);
+  width *= raysOfSide;
+  height *= raysOfSide;
   // Without annotations, depths would only take memory.
   const bool isMade = this->Beside.HasAny()
     ? this->Mapper->MakeImage(this->Renderer, this->Actor, width, height, frame)
@@ -388,11 +391,12 @@ vtkSmartPointer<vtkImageData> VolumeView::Picture(
     throw UserError(watch.IsStopped ? "The picture was stopped, and is not saved."
                                     : "The picture could not be made; choose a smaller size.");
   }
-  return this->Finished(frame, hasBackground);
+  return this->Finished(frame.Get(), hasBackground, raysOfSide);
 }
 
 // With annotations, as large as they are in the view.
-vtkSmartPointer<vtkImageData> VolumeView::Finished(vtkImageData* frame, bool hasBackground)
+vtkSmartPointer<vtkImageData> VolumeView::Finished(
+  vtkSmartPointer<vtkImageData> frame, bool hasBackground, int raysOfSide)
 {
   if (this->Beside.HasAny())
   {
@@ -405,8 +409,18 @@ vtkSmartPointer<vtkImageData> VolumeView::Finished(vtkImageData* frame, bool has
     annotations.Show(this->Shown, this->Component, this->Bounds);
     annotations.Apply(this->Applied, this->Actor->GetProperty()->GetRGBTransferFunction());
     annotations.ShowRulerOf(this->Beside);
+    renderer->SetBackground(0.0, 0.0, 0.0); // adds nothing to the picture
     const int* const size = this->Renderer->GetSize();
     annotations.DrawOver(frame, size[1] > 0 ? 1.0 * frame->GetDimensions()[1] / size[1] : 1.0);
+  }
+  if (raysOfSide > 1)
+  {
+    vtkNew<vtkImageShrink3D> mean;
+    mean->SetInputData(frame);
+    mean->SetShrinkFactors(raysOfSide, raysOfSide, 1);
+    mean->AveragingOn();
+    mean->Update();
+    frame = mean->GetOutput();
   }
   const auto& ground = Backgrounds[static_cast<std::size_t>(this->Applied.Choice(Row::Background))];
   return hasBackground ? OnBackground(frame, ground, ground) : WithoutBackground(frame);

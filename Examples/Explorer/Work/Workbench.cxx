@@ -36,11 +36,6 @@ constexpr double RateOfDrags = 20.0;
 constexpr double RateOfStills = 1e-4;
 constexpr double RateOfParts = 19.0;
 
-// Of surfaces that are added to the first.
-constexpr std::array<Rgb, 4> Contrasts = { { { 0.96, 0.90, 0.72 }, { 0.36, 0.66, 0.92 },
-  { 0.92, 0.42, 0.36 }, { 0.48, 0.80, 0.50 } } };
-
-constexpr double OuterOpacity = 0.35;
 constexpr double ZoomOfStep = 1.21; // as VTK's styles have it
 
 class LookChange : public QUndoCommand
@@ -676,7 +671,7 @@ void Workbench::AddMarker()
   marker.Value = this->Data.ValueAt(share + (share < 0.5 ? 0.2 : -0.2));
   if (this->Data.DrawsSurfaces())
   {
-    marker.Color = Contrasts[(this->Markers().size() - 1) % Contrasts.size()];
+    marker.Color = ContrastOf(this->Markers().size());
     marker.Opacity = 1.0;
   }
   const bool hidesOther = this->Data.DrawsSurfaces() && this->Markers().size() == 1;
@@ -689,7 +684,7 @@ void Workbench::AddMarker()
       {
         std::vector<Marker>& both = look.Surfaces;
         Marker& outer = both[0].Value < both[1].Value ? both[0] : both[1];
-        outer.Opacity = std::min(outer.Opacity, OuterOpacity);
+        outer.Opacity = std::min(outer.Opacity, SeeThrough);
       });
   }
 }

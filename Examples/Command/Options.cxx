@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
+
+#include <vtkColor.h>
+#include <vtkNamedColors.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+namespace
+{
+
+using Text = const std::string&;
+
+double ParseNumber(Text option, Text text, double least, double most)
+{
+  double number = 0.0;
+  if (!IsNumber(text, number) || number < least || number > most)
+  {
+    std::ostringstream what;
+    what << option << " takes a number";
+    if (least > -1e300)
+    {
+      what << " from " << least << " to " << most;
+    }
+    what << ", not " << Quoted(text) << ".";
+    throw UserError(what.str());
+  }
+  return number;
+}
+
+std::vector<std::string> PartsOf(Text option, Text list)
+{
+  std::vector<std::string> parts;
+  std::istringstream in(list + ",");
+  for (std::string part; std::getline(in, part, ',');)
+  {
+    if (part.empty())
+    {
+      throw UserError(
+        option + " takes values with commas between, such as 80,120, not " + Quoted(list) + ".");
+    }
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+void AddNumbers(Text option, Text list, double least, double most, std::vector<double>& numbers)
+{
+  for (Text part : PartsOf(option, list))
+  {
+    numbers.push_back(ParseNumber(option, part, least, most));
+  }
+}
+
+// A name of HTML, or #rrggbb.
+Rgb ParseColor(Text option, Text text)
+{
+  vtkNew<vtkNamedColors> named;
+  const bool isHex = text.size() == 7 && text[0] == '#' &&
+    text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (!isHex && !named->ColorExists(text))
+  {
+    throw UserError(option + " takes colours by name or as #rrggbb, such as ivory,#4080ff, not " +
+      Quoted(text) + ".");
+  }
+  const vtkColor3ub color = isHex ? named->HTMLColorToRGB(text) : named->GetColor3ub(text);
+  return { color[0] / 255.0, color[1] / 255.0, color[2] / 255.0 };
+}
+
+// The place of a word of a choice.
+double ParseWord(Text option, Text text, Row::Which choice)
+{
+  const std::vector<const char*>& words = AllSettings()[choice].Words;
+  const auto at =
+    std::find_if(words.begin(), words.end(), [&](const char* word) { return text == word; });
+  if (at == words.end())
+  {
+    std::string list;
+    for (const char* word : words)
+    {
+      list += (list.empty() ? "" : ", ") + std::string(word);
+    }
+    throw UserError(option + " takes one of " + list + ", not " + Quoted(text) + ".");
+  }
+  return static_cast<double>(at - words.begin());
+}
+
+void ParseClip(Text option, Text text, Options& options)
+{
+  const std::size_t axis = text.find_first_not_of("+-");
+  const std::string rest = axis == std::string::npos ? "" : text.substr(axis);
+  if (axis > 1 || rest.empty() || rest[0] < 'x' || rest[0] > 'z' ||
+    (rest.size() > 1 && (rest[1] != '=' || rest.size() == 2)))
+  {
+    throw UserError(
+      option + " takes an axis and a place, such as x=40, -z=12.5 or y, not " + Quoted(text) + ".");
+  }
+  options.IsClipFlipped = text[0] == '-';
+  options.ClipAxis = static_cast<std::size_t>(rest[0] - 'x');
+  if (rest.size() > 2)
+  {
+    options.ClipAt = ParseNumber(option, rest.substr(2), -1e300, 1e300);
+  }
+}
+
+void ParseSamples(Text option, Text text, Options& options)
+{
+  options.Samples = ParseCount(option, text, 64);
+  const int side = static_cast<int>(std::lround(std::sqrt(options.Samples)));
+  if (side * side != options.Samples)
+  {
+    throw UserError(option + " takes a square number: 1, 4, 9, 16, 25, 36, 49 or 64.");
+  }
+}
+
+void AddLooks(CommandLine& line, Options& options)
+{
+  constexpr double unbounded = 1e300;
+  const auto addChoice = [&](const char* option, Row::Which choice)
+  {
+    line.AddSetting(option,
+      [&options, choice](Text name, Text value)
+      { options.Choices.emplace_back(choice, ParseWord(name, value, choice)); });
+  };
+  const auto addSwitch = [&](const char* option, Row::Which choice, double value)
+  {
+    line.AddSwitch(
+      option, [&options, choice, value] { options.Choices.emplace_back(choice, value); });
+  };
+  line.AddSetting("--iso",
+    [&options](Text name, Text value)
+    { AddNumbers(name, value, -unbounded, unbounded, options.Isovalues); });
+  line.AddSetting("--opacity",
+    [&options](Text name, Text value) { AddNumbers(name, value, 0.0, 1.0, options.Opacities); });
+  line.AddSetting("--color",
+    [&options](Text name, Text value)
+    {
+      for (Text part : PartsOf(name, value))
+      {
+        options.Colors.push_back(ParseColor(name, part));
+      }
+    });
+  line.AddSetting("--preset",
+    [&options](Text name, Text value)
+    {
+      options.Choices.emplace_back(Row::Drawing, 1.0);
+      ParseWord(name, value, Row::Preset);
+      options.Preset = value;
+    });
+  line.AddSetting("--shift",
+    [&options](Text name, Text value)
+    { options.Shift = ParseNumber(name, value, -unbounded, unbounded); });
+  line.AddSetting("--window",
+    [&options](Text name, Text value)
+    { options.Window = ParseNumber(name, value, 1e-300, unbounded); });
+  line.AddSetting("--level",
+    [&options](Text name, Text value)
+    { options.Level = ParseNumber(name, value, -unbounded, unbounded); });
+  addChoice("--draw", Row::Drawing);
+  addSwitch("--maximum", Row::Drawing, 2.0);
+  addChoice("--palette", Row::Palette);
+  addChoice("--material", Row::Material);
+  addChoice("--light", Row::Light);
+  addSwitch("--occlusion", Row::Occlusion, 1.0);
+  addSwitch("--shadows", Row::Shadows, 1.0);
+  addChoice("--cut", Row::Cut);
+  addSwitch("--parallel", Row::Projection, 1.0);
+  addSwitch("--outline", Row::Outline, 1.0);
+  addSwitch("--axes", Row::Axes, 1.0);
+  addSwitch("--scale-bar", Row::ScaleBar, 1.0);
+  addSwitch("--color-bar", Row::ColorBar, 1.0);
+  line.AddSetting("--background",
+    [&options](Text name, Text value)
+    {
+      const bool isNone = value == "none";
+      options.Choices.emplace_back(isNone ? Row::Transparency : Row::Background,
+        isNone ? 1.0 : ParseWord(name, value, Row::Background));
+    });
+}
+
+void AddViews(CommandLine& line, Options& options)
+{
+  line.AddSetting("--azimuth",
+    [&options](Text name, Text value)
+    { options.Azimuth = ParseNumber(name, value, -360.0, 360.0); });
+  line.AddSetting("--elevation",
+    [&options](Text name, Text value)
+    { options.Elevation = ParseNumber(name, value, -89.0, 89.0); });
+  line.AddSetting("--zoom",
+    [&options](Text name, Text value) { options.Zoom = ParseNumber(name, value, 0.01, 100.0); });
+  line.AddSetting("--clip", [&options](Text name, Text value) { ParseClip(name, value, options); });
+  line.AddSetting(
+    "--samples", [&options](Text name, Text value) { ParseSamples(name, value, options); });
+  line.AddSetting("--film",
+    [&options](Text name, Text value)
+    {
+      if (value != "turn" && value != "sweep")
+      {
+        throw UserError(name + " takes one of turn, sweep, not " + Quoted(value) + ".");
+      }
+      options.Motion = value == "turn" ? Film::Turn : Film::Sweep;
+    });
+  line.AddSetting("--frames",
+    [&options](Text name, Text value) { options.Frames = ParseCount(name, value, 100000); });
+  line.AddSetting(
+    "--rate", [&options](Text name, Text value) { options.Rate = ParseCount(name, value, 240); });
+  for (const char* option : { "-o", "--output" })
+  {
+    line.AddSetting(option, [&options](Text, Text value) { options.Output = value; });
+  }
+}
+
+// What can be known before a volume is read.
+void Check(const Options& options)
+{
+  const std::size_t surfaces = std::max<std::size_t>(options.Isovalues.size(), 1);
+  if (options.Opacities.size() > surfaces || options.Colors.size() > surfaces)
+  {
+    throw UserError(
+      "There are more opacities or colours than isovalues; give each isovalue one, or "
+      "fewer, of which the last one goes on.");
+  }
+  const auto hasChoice = [&](Row::Which choice, bool (*isIt)(double))
+  {
+    return std::any_of(options.Choices.begin(), options.Choices.end(),
+      [&](const auto& made) { return made.first == choice && isIt(made.second); });
+  };
+  const bool blends = hasChoice(Row::Drawing, [](double word) { return word != 0.0; });
+  if (blends && (!options.Isovalues.empty() || options.Isovalue))
+  {
+    throw UserError(
+      "Isovalues are those of surfaces, and no surfaces are drawn; leave out --iso, or "
+      "--preset, --maximum and --draw.");
+  }
+  if (options.Preset.empty() && options.Shift != 0.0)
+  {
+    throw UserError("--shift moves a preset; name one by --preset.");
+  }
+  if (options.Window.has_value() != options.Level.has_value())
+  {
+    throw UserError("--window and --level belong together; give both, or none.");
+  }
+  if (hasChoice(Row::Cut, [](double word) { return word != 0.0; }) && !options.ClipAxis)
+  {
+    throw UserError("--cut shows samples where --clip cuts; give --clip, too.");
+  }
+}
+
+}
+
+Options ParseOptions(int argc, char* argv[])
+{
+  Options options;
+  CommandLine line(options);
+  AddLooks(line, options);
+  AddViews(line, options);
+  line.Parse({ argv + 1, argv + argc });
+  if (options.Isovalue)
+  {
+    options.Isovalues.insert(options.Isovalues.begin(), *options.Isovalue);
+  }
+  Check(options);
+  return options;
+}
+
+std::string HelpText()
+{
+  return std::string(
+           R"(Draw isosurfaces or a blended volume of a file, without a window.
+
+usage: temporal-coherence [VOLUME [ISOVALUE] | FILE.session] [OPTIONS] [-o PICTURE.png]
+
+VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk and
+the parallel .pvti .pvtu .pvts .pvtr; Exodus .ex2 .exo .e, .cgns and PLOT3D .xyz, xyz.bin where VTK
+reads them), a directory with a series of DICOM files, or, with --raw, a file of bare samples. Without
+VOLUME four spheres are generated. FILE.session is one that the Explorer saved.
+ISOVALUE is chosen from the volume's histogram if it is not given.
+
+  -o, --output FILE      where the picture goes (.png); default: the volume's name, here. A film: a
+                         directory for numbered pictures, or .ogv where VTK writes films
+  --size WxH | N         pixels of a picture; default 1024
+
+ surfaces
+  --iso V[,V...]         isovalues; also more than once
+  --opacity O[,O...]     of each isovalue, 0 to 1; the last one goes on
+  --color C[,C...]       of each isovalue: a name (ivory, tomato) or #rrggbb
+  --palette NAME         colours over the values instead: tissue ivory steel ember viridis cool-warm
+  --material NAME        satin matt glossy flat
+  --light NAME           studio head side rim
+  --occlusion            ambient occlusion: hollows are darker; takes seconds, see-through
+                         surfaces take up to a minute
+  --shadows              of surfaces on one another
+
+ blended volumes
+  --preset NAME          "ct bone", "ct soft tissue", "ct vessels" (Hounsfield units), or mr
+  --shift V              moves the preset over the values
+  --maximum              the largest value of each ray, in grey
+  --window W --level L   how many values lie from black to white, and the middle one
+  --draw NAME            surfaces composite maximum minimum average additive
+
+ view
+  --azimuth D            degrees around the volume
+  --elevation D          degrees up
+  --zoom F               times as large
+  --parallel             without perspective
+  --clip [-]AXIS[=V]     what lies beyond a plane across an axis is seen (-: what lies before it),
+                         for example x=40 or -z; default: in the middle
+  --cut NAME             what is seen on that plane: nothing, "grey values", colours
+  --background NAME      dark grey white, or none for a transparent picture
+  --outline --axes --scale-bar --color-bar
+                         what is seen beside the volume; these and --cut need a display
+  --samples N            rays a pixel: 1 4 9 16 25 36 49 64; edges have 16 at least; default 1
+
+ films
+  --film turn | sweep    around the volume, or through all isovalues
+  --frames N             default 120
+  --rate N               frames a second of .ogv; default 25
+
+ files
+)") +
+    CommonOptionsHelp + "  --help                 show this text\n";
+}

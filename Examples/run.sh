@@ -12,8 +12,8 @@ Show a volume's isosurface: pictures of an orbit and of a sweep of its isovalue,
 
 usage: Examples/run.sh [VOLUME [ISOVALUE]] [OPTIONS]
 
-VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk,
-Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a directory with a DICOM series, or, with
+VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .nrrd .nhdr .slc), a grid (.vtu .vts .vtr .vtm
+.vth .vtk, Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a directory with a DICOM series, or, with
 --raw, a file of bare samples. Without VOLUME: a magnetic resonance image of a head from Debian's
 package mricron-data, or four generated spheres where that cannot be had.
 

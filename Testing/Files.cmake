@@ -13,6 +13,7 @@ add_subdirectory("${examples}/Common" Files/ExamplesCommon)
 # The programs have headers of the same names, so each way has a library of its own.
 add_library(DrawInExplorer STATIC
   "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInExplorer.cxx"
+  "${examples}/Explorer/Model/Annotations.cxx"
   "${examples}/Explorer/Model/Settings.cxx"
   "${examples}/Explorer/Model/Model.cxx"
   "${examples}/Explorer/Model/Session.cxx"
@@ -37,9 +38,11 @@ if (Python3_Interpreter_FOUND)
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/fuzz_files.py"
       --opener "$<TARGET_FILE:OpenFiles>" --count 4
       --scratch "${CMAKE_BINARY_DIR}/Testing/Files/cxx")
-  add_test(NAME Files-Read
-    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/read_files.py"
-      "$<TARGET_FILE:OpenFiles>")
+  foreach (test IN ITEMS files nrrd)
+    add_test(NAME "Files-Read-${test}"
+      COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/read_${test}.py"
+        "$<TARGET_FILE:OpenFiles>")
+  endforeach ()
 else ()
   temporal_coherence_skip_test(Files-Cxx "there is no Python, which breaks the files")
 endif ()

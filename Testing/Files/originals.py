@@ -300,6 +300,41 @@ def nifti(zipped: bool, version: int = 1) -> Callable[[Twist], Original]:
     return write
 
 
+# --- NRRD ---------------------------------------------------------------------------------------
+
+def nrrd(detached: bool, encoding: str = "raw", code: str = "<h") -> Callable[[Twist], Original]:
+    def write(twist: Twist) -> Original:
+        t = twist
+        nx, ny, nz = SIZE
+        data = packed(code)
+        if encoding == "gzip":
+            data = zlib.compress(data, wbits=31)
+        elif encoding == "text":
+            data = " ".join(map(str, struct.unpack(f"{code[0]}{nx * ny * nz}{code[1]}", data))).encode()
+        text = f"""NRRD0004
+# a ball
+type: {"short" if code[1] == "h" else "float"}
+dimension: {t(3)}
+space: left-posterior-superior
+sizes: {t(nx)} {t(ny)} {t(nz)}
+space directions: ({t(1)},{t(0)},{t(0)}) ({t(0)},{t(0.5)},{t(0)}) ({t(0)},{t(0)},{t(2)})
+kinds: domain domain domain
+endian: {"big" if code[0] == ">" else "little"}
+encoding: {encoding}
+space origin: ({t(1.5)},{t(0)},{t(-2)})
+key:=value
+""" + (f"byte skip: {t(0)}\ndata file: a.raw\n" if detached else "\n")
+        words = [
+            b"raw", b"gzip", b"text", b"hex", b"bzip2", b"uchar", b"double", b"block", b"int64", b"LIST", b"LIST 2",
+            b"a%02d.raw 1 3 1", b"a.raw", b"a.nhdr", b"/dev/zero", b".", b"none", b"nan", b"list", b"time", b"vector",
+            b"RGB-color", b"space", b"spacings", b"sizes", b"dimension", b"line skip", b"byte skip", b"-1", b"LAS",
+            b"3D-left-handed", b"endian", b"little", b"big", b"data file", b"kinds"]
+        if detached:
+            return Original("a.nhdr", {"a.nhdr": text.encode(), "a.raw": data}, words=words)
+        return Original("a.nrrd", {"a.nrrd": text.encode() + data}, words=words)
+    return write
+
+
 # --- SLC ----------------------------------------------------------------------------------------
 
 def slc(compressed: bool) -> Callable[[Twist], Original]:
@@ -485,7 +520,9 @@ def npy(twist: Twist) -> Original:
 
 
 #: What the examples in Python do not open.
-MESHES = ("vtu", "vts", "vts-vectors", "vts-cell-vectors", "vtk-mesh", "vtm", "pvtu", "vthb")
+NOT_OF_PYTHON = (
+    "vtu", "vts", "vts-vectors", "vts-cell-vectors", "vtk-mesh", "vtm", "pvtu", "vthb", "nrrd", "nrrd-gzip", "nrrd-text",
+    "nhdr", "nhdr-gzip")
 
 ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "vti-ascii": vti("ascii"),
@@ -512,6 +549,11 @@ ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "nii": nifti(False),
     "nii-2": nifti(False, 2),
     "nii-gz": nifti(True),
+    "nrrd": nrrd(False),
+    "nrrd-gzip": nrrd(False, "gzip", ">h"),
+    "nrrd-text": nrrd(False, "text"),
+    "nhdr": nrrd(True, "raw", ">f"),
+    "nhdr-gzip": nrrd(True, "gzip"),
     "slc": slc(False),
     "slc-runs": slc(True),
     "dicom": dicom(),

@@ -7,6 +7,7 @@
 #include "Files/FourSpheres.h"
 #include "Files/MedicalReader.h"
 #include "Files/MeshReader.h"
+#include "Files/NrrdReader.h"
 #include "Files/PlaceCheck.h"
 #include "Files/Reading.h"
 #include "Files/Trial.h"
@@ -40,8 +41,8 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 7> KnownSuffixes = { ".vti", ".vtk", ".mhd", ".mha", ".nii",
-  ".nii.gz", ".slc" };
+constexpr std::array<const char*, 9> KnownSuffixes = { ".vti", ".vtk", ".mhd", ".mha", ".nii",
+  ".nii.gz", ".nrrd", ".nhdr", ".slc" };
 
 std::string ListOfSuffixes()
 {
@@ -140,6 +141,10 @@ Volume ReadFile(const VolumeSource& source, const ReadingProgress& progress)
   else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
     ReadNifti(path, source.TimeStep, progress, volume);
+  }
+  else if (EndsWith(name, ".nrrd") || EndsWith(name, ".nhdr"))
+  {
+    ReadNrrd(path, source.TimeStep, progress, volume);
   }
   else if (EndsWith(name, ".slc"))
   {

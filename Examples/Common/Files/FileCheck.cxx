@@ -3,6 +3,7 @@
 #include "Files/FileCheck.h"
 
 #include "Files/Reading.h"
+#include "Files/StackFiles.h"
 #include "Program/Quoted.h"
 
 #include <algorithm>
@@ -24,9 +25,9 @@ struct Inflation
   double Most;
 };
 constexpr Inflation Inflations[] = { { ".gz", 1032.0 }, { ".mha", 1032.0 }, { ".mhd", 1032.0 },
-  { ".nrrd", 1032.0 }, { ".nhdr", 1032.0 }, { ".cgns", 1032.0 }, { ".ex2", 1032.0 },
-  { ".exo", 1032.0 }, { ".e", 1032.0 }, { ".slc", 127.0 }, { ".vtk", 1.0 }, { ".nii", 1.0 },
-  { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1032.0 } };
+  { ".png", 1032.0 }, { ".nrrd", 1032.0 }, { ".nhdr", 1032.0 }, { ".cgns", 1032.0 },
+  { ".ex2", 1032.0 }, { ".exo", 1032.0 }, { ".e", 1032.0 }, { ".slc", 127.0 }, { ".vtk", 1.0 },
+  { ".nii", 1.0 }, { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1032.0 } };
 constexpr double InflationOfXml = 8192.0;
 
 constexpr double Wider = 8.0;                   // bytes of a number that a digit of text becomes
@@ -96,6 +97,16 @@ double BytesWithParts(const std::string& path)
   const bool isOfList = EndsWith(name, ".mhd") || EndsWith(name, ".nhdr") ||
     EndsWith(name, ".nrrd") || EndsWith(name, ".vtm") || EndsWith(name, ".vtmb") ||
     EndsWith(name, ".vth") || EndsWith(name, ".vthb") || name.find(".pvt") != std::string::npos;
+  if (IsPictureName(path))
+  {
+    double sum = 0.0;
+    for (const std::string& slice : StackFilesOf(path).Paths)
+    {
+      const std::uintmax_t size = fs::file_size(slice, error);
+      sum += error ? 0.0 : static_cast<double>(size);
+    }
+    return sum;
+  }
   double sum = static_cast<double>(SizeOf(path));
   if (EndsWith(name, "xyz") || EndsWith(name, "xyz.bin"))
   {

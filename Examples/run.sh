@@ -13,10 +13,11 @@ Show a volume's isosurface: pictures of an orbit and of a sweep of its isovalue,
 usage: Examples/run.sh [VOLUME [ISOVALUE]] [OPTIONS]
        Examples/run.sh --command [VOLUME [ISOVALUE]] [OPTIONS] [-o PICTURE.png]
 
-VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk,
-Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a directory with a DICOM series, or, with
---raw, a file of bare samples. Without VOLUME: a magnetic resonance image of a head from Debian's
-package mricron-data, or four generated spheres where that cannot be had.
+VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .nrrd .nhdr .slc), a stack of slices (.tif .png),
+a grid (.vtu .vts .vtr .vtm .vth .vtk, Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a list of
+time steps (.pvd .series), a directory with a DICOM series or with slices, or, with --raw, a file of
+bare samples. Without VOLUME: a magnetic resonance image of a head from Debian's package
+mricron-data, or four generated spheres where that cannot be had.
 
 What is missing is installed with apt (see Module/setup.sh --help), for --explore VTK's Qt widgets
 (package libvtk9-qt-dev), for DICOM GDCM (libgdcm-dev), too. vtkTemporalCoherence is built and

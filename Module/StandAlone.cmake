@@ -31,7 +31,7 @@ set(vtk_components
 if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   list(APPEND vtk_components
     CommonSystem FiltersAMR FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOGeometry IOImage IOLegacy
-    IOPLY IOXML RenderingAnnotation RenderingFreeType RenderingImage TestingCore TestingRendering zlib)
+    IOPLY IOXML RenderingAnnotation RenderingFreeType RenderingImage TestingCore TestingRendering jsoncpp png tiff zlib)
 endif ()
 set(vtk_chart_components)
 set(vtk_reader_components) # of meshes, for examples and benchmarks

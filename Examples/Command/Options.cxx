@@ -278,11 +278,8 @@ std::string HelpText()
 
 usage: temporal-coherence [VOLUME [ISOVALUE] | FILE.session] [OPTIONS] [-o PICTURE.png]
 
-VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk and
-the parallel .pvti .pvtu .pvts .pvtr; Exodus .ex2 .exo .e, .cgns and PLOT3D .xyz, xyz.bin where VTK
-reads them), a directory with a series of DICOM files, or, with --raw, a file of bare samples. Without
-VOLUME four spheres are generated. FILE.session is one that the Explorer saved.
-ISOVALUE is chosen from the volume's histogram if it is not given.
+)") +
+    VolumeHelp + R"(FILE.session is one that the Explorer saved.
 
   -o, --output FILE      where the picture goes (.png); default: the volume's name, here. A film: a
                          directory for numbered pictures, or .ogv where VTK writes films
@@ -325,6 +322,6 @@ ISOVALUE is chosen from the volume's histogram if it is not given.
   --rate N               frames a second of .ogv; default 25
 
  files
-)") +
-    CommonOptionsHelp + "  --help                 show this text\n";
+)" + CommonOptionsHelp +
+    "  --help                 show this text\n";
 }

@@ -546,14 +546,14 @@ void Workbench::Measure(const QPoint& pixel)
   this->RenderSoon();
 }
 
-void Workbench::MakeFilm(Motion motion, int frames, int width, int height)
+void Workbench::MakeFilm(const FilmOptions& options)
 {
   if (this->IsBusy())
   {
     throw UserError(this->What + ": wait for it, or stop it with Escape.");
   }
   const auto film = std::make_shared<Recorder>(this->Output.Directory);
-  film->Start(this->Data.Settings().TextOf(Row::Film));
+  film->Start(options.Format, "", options.Rate);
   const CameraState camera = this->Data.View.Camera();
   // Of what the thread changes, nothing else is seen: Finish() applies the settings again.
   const auto job = [=, look = this->Data.Settings(), marker = this->Selected()](
@@ -562,18 +562,19 @@ void Workbench::MakeFilm(Motion motion, int frames, int width, int height)
     VolumeView& view = this->Data.View;
     try
     {
-      for (int frame = 0; frame < frames && !this->IsStopped; ++frame)
+      for (int frame = 0; frame < options.Frames && !this->IsStopped; ++frame)
       {
-        if (motion == Sweep)
+        if (options.Motion == Sweep)
         {
-          this->Data.MarkersOf(look)[marker].Value = this->Data.ValueAt((frame + 0.5) / frames);
+          this->Data.MarkersOf(look)[marker].Value =
+            this->Data.ValueAt((frame + 0.5) / options.Frames);
           view.Apply(look);
         }
-        film->Add(view.Picture(
-          width, height, [&](double share) { return progress((frame + share) / frames); }));
-        if (motion == TurnAround)
+        film->Add(view.Picture(options.Width, options.Height,
+          [&](double share) { return progress((frame + share) / options.Frames); }));
+        if (options.Motion == TurnAround)
         {
-          view.Renderer->GetActiveCamera()->Azimuth(360.0 / frames);
+          view.Renderer->GetActiveCamera()->Azimuth(360.0 / options.Frames);
         }
       }
     }

@@ -22,7 +22,7 @@ namespace
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr std::uintmax_t MostHeader = 1 << 20; // bytes
+constexpr std::uintmax_t MostNrrdHeader = 1 << 20; // bytes
 constexpr std::size_t MostFiles = 100000;
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
@@ -124,7 +124,7 @@ private:
 
   void ReadFields()
   {
-    const std::string text = BytesOf(this->Path, MostHeader);
+    const std::string text = BytesOf(this->Path, MostNrrdHeader);
     if (text.compare(0, 4, "NRRD") != 0)
     {
       throw Unreadable(this->Path);

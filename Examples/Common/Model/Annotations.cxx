@@ -41,8 +41,7 @@ vtkSmartPointer<vtkImageData> SamplesOf(const Volume& volume, int component, vtk
 {
   vtkImageData* const image = vtkImageData::SafeDownCast(volume.Data);
   const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
-  if (!image || component < 0 || volume.Array.IsOnCells || arrays.size() != 1 ||
-    image->GetPointData()->HasArray(arrays[0]->GetName()) == 0)
+  if (!image || component < 0 || volume.Array.IsOnCells || arrays.size() != 1)
   {
     return nullptr;
   }

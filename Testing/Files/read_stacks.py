@@ -100,11 +100,11 @@ class Stacks(Files):
         for path in (folder, folder / "a1_s10b.png"):
             told = self.told(path)
             self.assert_close([told.values[0], told.values[3], told.values[4]], [1, 2, 22])
-            self.assertIn("5 numbers are missing", told.remark)
+            self.assertIn("5 of 11 numbers are missing", told.remark)
         told = self.told(self.put(**{f"s{k:03}": gray(k) for k in (0, 10, 20)}))
         self.assertEqual(told.remark, "")
         told = self.told(self.put(s1=gray(1), s2=gray(2), t3=gray(3)))
-        self.assertIn("1 pictures", told.remark)
+        self.assertIn("1 of 3 pictures", told.remark)
 
     def test_slices_that_differ(self) -> None:
         for data, words in ((gray(3, 5), "5 x 3, unsigned char"), (gray(3, 4, 4), "4 x 4"),
@@ -156,11 +156,11 @@ class Stacks(Files):
     def test_links(self) -> None:
         folder = self.put(**{f"s{k}": gray(k) for k in (1, 2, 4, 5)})
         os.symlink("s3.png", folder / "s3.png")
-        self.assertIn("1 numbers are missing", self.told(folder).remark)
+        self.assertIn("1 of 5 numbers are missing", self.told(folder).remark)
         self.assert_refused(self.tell(folder / "s3.png"), "s3.png")
         (folder / "s2.png").unlink()
         os.mkfifo(folder / "s2.png")
-        self.assertIn("2 numbers are missing", self.told(folder).remark)
+        self.assertIn("2 of 5 numbers are missing", self.told(folder).remark)
         pages = bytearray(tiff([plane(0), plane(1)], 4, 3, bits=8))
         first = struct.unpack_from("<I", pages, 4)[0]
         entries = struct.unpack_from("<H", pages, first)[0]

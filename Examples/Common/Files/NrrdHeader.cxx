@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 constexpr std::uintmax_t MostNrrdHeader = 1 << 20; // bytes
-constexpr std::size_t MostFiles = 100000;
+constexpr std::size_t MostFiles = 10000;
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 const std::map<std::string, int>& Types()

@@ -23,7 +23,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t MostBytes = 64 << 20; // of a list
+constexpr std::uintmax_t MostBytes = 16 << 20; // of a list
 
 struct Entry
 {
@@ -37,12 +37,14 @@ class PvdParser : public vtkXMLParser
 public:
   static PvdParser* New() { VTK_STANDARD_NEW_BODY(PvdParser); }
   bool IsCollection = false;
+  int Depth = 0;
   std::vector<Entry> Entries;
   std::string BadTime;
 
 protected:
   void StartElement(const char* name, const char** attributes) override
   {
+    ++this->Depth;
     this->IsCollection = this->IsCollection || std::string(name) == "Collection";
     if (std::string(name) != "DataSet")
     {
@@ -61,13 +63,22 @@ protected:
     }
     this->Entries.push_back(entry);
   }
-  void EndElement(const char*) override {}
+  void EndElement(const char*) override { --this->Depth; }
 };
 
 std::vector<Entry> EntriesOfPvd(const std::string& path, const std::string& text)
 {
   vtkNew<PvdParser> parser;
-  const bool isXml = parser->Parse(text.data(), static_cast<unsigned int>(text.size())) != 0;
+  constexpr std::size_t Chunk = 1 << 16;
+  constexpr int MostDepth = 100; // deeper ones take long, and much memory
+  bool isXml = parser->InitializeParser() != 0;
+  for (std::size_t at = 0; at < text.size() && isXml; at += Chunk)
+  {
+    const std::size_t size = std::min(Chunk, text.size() - at);
+    isXml = parser->ParseChunk(text.data() + at, static_cast<unsigned int>(size)) != 0 &&
+      parser->Depth <= MostDepth;
+  }
+  isXml = parser->CleanupParser() != 0 && isXml;
   if (!isXml || !parser->IsCollection)
   {
     throw Damaged(path, "it is no whole XML with a Collection");

@@ -160,15 +160,19 @@ void ReadStack(const std::string& path, const ReadingProgress& progress, Volume&
   }
   Stack reader(path, progress);
   volume.Data = reader.Read(stack.Paths, pages);
+  const auto count = static_cast<double>(stack.Paths.size());
   std::ostringstream remark;
+  remark.precision(15);
   if (stack.Missing > 0.0)
   {
-    remark << stack.Missing << " numbers are missing between " << Quoted(stack.Paths.front())
-           << " and " << Quoted(stack.Paths.back()) << ": the slices are stacked without a gap.";
+    remark << stack.Missing << " of " << stack.Missing + count << " numbers are missing between "
+           << Quoted(stack.Paths.front()) << " and " << Quoted(stack.Paths.back())
+           << ": the slices are stacked without a gap.";
   }
   else if (stack.Others > 0)
   {
-    remark << stack.Others << " pictures of " << Quoted(path)
+    remark << stack.Others << " of " << stack.Others + stack.Paths.size() << " pictures in "
+           << Quoted(path)
            << " are left out: their names differ from those of the stack by more than a number.";
   }
   else if (reader.Kind.IsOfPalette)

@@ -31,7 +31,7 @@ find_package(Python3 COMPONENTS Interpreter)
 if (Python3_Interpreter_FOUND)
   add_test(NAME Files-Cxx
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/fuzz_files.py"
-      --opener "$<TARGET_FILE:OpenFiles>" --count 4
+      --opener "$<TARGET_FILE:OpenFiles>" --count 3
       --scratch "${CMAKE_BINARY_DIR}/Testing/Files/cxx")
   foreach (test IN ITEMS files nrrd series stacks)
     add_test(NAME "Files-Read-${test}"

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Debian packages of a build, by `cpack` or the target `package`; Module/package.sh does all that is
-# needed from nothing. Three packages: the library, what others build against it with, and the Python
-# package. Included last, when all that is installed is known.
+# needed from nothing. The packages are the library, what others build against it with, the Python
+# package, pages and examples, and, where they are built, the command and the Explorer. Included last,
+# when all that is installed is known.
 
 find_program(TEMPORAL_COHERENCE_DPKG dpkg)
 mark_as_advanced(TEMPORAL_COHERENCE_DPKG)
@@ -23,7 +24,8 @@ set(TEMPORAL_COHERENCE_DEBIAN_MAINTAINER "${default_maintainer}" CACHE STRING
 
 # Messages name source files; those of a package must not name the directory of who built it.
 foreach (part IN ITEMS
-    TemporalCoherenceEngine TemporalCoherenceVolumes TemporalCoherence vtkTemporalCoherenceAutoload vtkTemporalCoherencePython)
+    TemporalCoherenceEngine TemporalCoherenceVolumes TemporalCoherence vtkTemporalCoherenceAutoload
+    vtkTemporalCoherencePython ${program_targets})
   if (TARGET "${part}")
     target_compile_options("${part}" PRIVATE
       $<$<CXX_COMPILER_ID:GNU,Clang>:-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=>)
@@ -40,6 +42,7 @@ set(CPACK_SOURCE_IGNORE_FILES "/\\\\.git/;${CMAKE_SOURCE_DIR}/build[^/]*/;${CMAK
 set(CPACK_OUTPUT_FILE_PREFIX "${CMAKE_BINARY_DIR}/packages")
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_SOURCE_DIR}/Module/Debian/cpack.cmake")
+set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_SOURCE_DIR}/Module/Debian/compress.cmake")
 set(CPACK_TEMPORAL_COHERENCE_PREFIX "${CMAKE_INSTALL_PREFIX}")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -104,9 +107,10 @@ include(CPackComponent)
 set(CPACK_COMPONENTS_ALL)
 set(debian_description
 "Isosurfaces of images and of any grid of VTK, ray-cast on the CPU, exact at
-every pixel. What the last frame knew is used again, so that the next one
-costs only what changed: a moved camera, a new isovalue, a new colour. A
-drop-in for the mapper of a vtkVolume; needs no GPU, no OpenGL, no display.
+every pixel, with ambient occlusion, shadows and smooth edges; composite
+volumes and projections of images. Needs no GPU, no OpenGL and no display. In
+a still view, new colours and isovalues use what the last frame has found.
+Takes the place of the mapper of a vtkVolume.
 
 ")
 
@@ -115,7 +119,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
   "${debian_directory}/shlibs" "${CMAKE_SOURCE_DIR}/Module/Debian/triggers")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
-"volume mapper for VTK that re-uses the last frame - library
+"isosurfaces and volumes for VTK by rays on the CPU - library
 ${debian_description}This package holds the library.")
 
 debian_package(headers development libvtktemporalcoherence-dev)
@@ -123,10 +127,51 @@ set(CPACK_DEBIAN_HEADERS_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "${debian_library} (= ${debian_version}), ${debian_vtk_development}")
 set(CPACK_DEBIAN_HEADERS_DESCRIPTION
-"volume mapper for VTK that re-uses the last frame - development files
+"isosurfaces and volumes for VTK by rays on the CPU - development files
 ${debian_description}This package holds the headers and the CMake package vtkTemporalCoherence.")
 
+# Pages and examples keep their places beside each other, as they name each other.
+set(debian_pages "${CMAKE_INSTALL_DATAROOTDIR}/doc/vtktemporalcoherence-doc")
+install(DIRECTORY "${CMAKE_SOURCE_DIR}/Documentation" "${CMAKE_SOURCE_DIR}/Examples"
+  DESTINATION "${debian_pages}"
+  COMPONENT documentation EXCLUDE_FROM_ALL
+  PATTERN "*.sh" EXCLUDE
+  PATTERN "film.py" EXCLUDE
+  PATTERN "__pycache__" EXCLUDE)
+install(FILES "${CMAKE_SOURCE_DIR}/README.md"
+  DESTINATION "${debian_pages}"
+  COMPONENT documentation EXCLUDE_FROM_ALL)
+debian_package(pages documentation vtktemporalcoherence-doc)
+set(CPACK_DEBIAN_PAGES_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_PAGES_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PAGES_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PAGES_DESCRIPTION
+"isosurfaces and volumes for VTK by rays on the CPU - documentation
+${debian_description}This package holds the pages, and examples in C++ and Python.")
+
 get_cmake_property(debian_components COMPONENTS)
+if ("command" IN_LIST debian_components)
+  debian_package(program command vtktemporalcoherence-bin)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${debian_library} (= ${debian_version})")
+  set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+"pictures and films of volumes, by one command without a window
+The command temporal-coherence draws the volume of a file (VTK, NIfTI,
+MetaImage, DICOM, Exodus, raw samples and others) into a picture or a film:
+isosurfaces, see-through volumes with presets for CT and MR, or projections.
+Rays are cast on the CPU. It needs no GPU, no OpenGL and no display.")
+endif ()
+if ("explorer" IN_LIST debian_components)
+  debian_package(viewer explorer vtktemporalcoherence-explorer)
+  set(CPACK_DEBIAN_VIEWER_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_VIEWER_PACKAGE_DEPENDS "${debian_library} (= ${debian_version})")
+  set(CPACK_DEBIAN_VIEWER_DESCRIPTION
+"viewer of isosurfaces and volumes that needs no GPU
+A window with the volume of a file (VTK, NIfTI, MetaImage, DICOM, Exodus, raw
+samples and others): turn it, drag isovalues in its histogram, cut it, choose
+presets for CT and MR, measure distances, save pictures, films and triangles.
+Rays are cast on the CPU, and pictures get better while nothing is done.")
+endif ()
 if ("python" IN_LIST debian_components)
   # An extension module works with the version of Python that it was built for.
   string(REGEX REPLACE "^cpython-3([0-9]+).*" "\\1" debian_python "${vtk_python_abi}")
@@ -139,7 +184,7 @@ if ("python" IN_LIST debian_components)
     "${debian_library} (= ${debian_version}), ${debian_vtk_python}, python3-numpy, "
     "python3 (>= 3.${debian_python}~), python3 (<< 3.${debian_next_python}~)")
   set(CPACK_DEBIAN_PYTHON3_DESCRIPTION
-"volume mapper for VTK that re-uses the last frame - Python 3
+"isosurfaces and volumes for VTK by rays on the CPU - Python 3
 ${debian_description}This package holds the Python package vtkTemporalCoherence.")
 endif ()
 

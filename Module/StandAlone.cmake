@@ -1,6 +1,7 @@
 # The stand-alone build: find VTK, build the one module, install it as a CMake package, test it.
 
 option(TEMPORAL_COHERENCE_BUILD_BENCHMARKS "Build the benchmark programs" ON)
+option(TEMPORAL_COHERENCE_BUILD_PROGRAMS "Build and install the command and the Explorer" OFF)
 option(TEMPORAL_COHERENCE_WARNINGS_AS_ERRORS "Treat compiler warnings in our files as errors" OFF)
 
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -28,15 +29,20 @@ include(CTest)
 set(vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc CommonTransforms
   RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
-if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
+if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS OR TEMPORAL_COHERENCE_BUILD_PROGRAMS)
   list(APPEND vtk_components
     CommonSystem FiltersAMR FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOGeometry IOImage IOLegacy
     IOPLY IOXML RenderingAnnotation RenderingFreeType RenderingImage TestingCore TestingRendering jsoncpp png tiff zlib)
 endif ()
 set(vtk_chart_components)
 set(vtk_reader_components) # of meshes, for examples and benchmarks
-if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
+if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS OR TEMPORAL_COHERENCE_BUILD_PROGRAMS)
   set(vtk_reader_components IOCGNSReader IOExodus IOParallel)
+endif ()
+set(vtk_program_components)
+if (TEMPORAL_COHERENCE_BUILD_PROGRAMS)
+  # What these link is looked for here: targets that are found below are not seen here.
+  set(vtk_program_components GUISupportQt InteractionWidgets IOOggTheora)
 endif ()
 if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   set(vtk_chart_components
@@ -44,7 +50,7 @@ if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
 endif ()
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${vtk_components}
-  OPTIONAL_COMPONENTS ${vtk_chart_components} ${vtk_reader_components})
+  OPTIONAL_COMPONENTS ${vtk_chart_components} ${vtk_reader_components} ${vtk_program_components})
 
 # Shared exactly when VTK is.
 get_target_property(vtk_library_type VTK::CommonCore TYPE)
@@ -104,4 +110,5 @@ install(FILES "${CMAKE_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/vtkTemporalCoherence"
   COMPONENT license)
 
+include("${CMAKE_SOURCE_DIR}/Module/Programs.cmake")
 include("${CMAKE_SOURCE_DIR}/Module/Packaging.cmake")

@@ -8,7 +8,8 @@ set -euo pipefail
 usage()
 {
   cat <<'TEXT'
-Make Debian packages of vtkTemporalCoherence: the library, its development files, its Python package.
+Make Debian packages of vtkTemporalCoherence: the library, its development files, its Python package, the
+command temporal-coherence, the Explorer, and the pages with examples.
 
 usage: Module/package.sh [--no-packages] [-- CMAKE_ARGUMENTS]
 
@@ -36,7 +37,7 @@ log=$build/package.log
 say() { printf '[package] %s\n' "$*"; }
 fail() { printf '[package] FAILED: %s\n' "$*" >&2; exit 1; }
 
-setup_options=(--with-packaging)
+setup_options=(--with-packaging --with-explorer)
 while [ $# -gt 0 ]; do
   case $1 in
     --help | -h) usage; exit 0 ;;
@@ -55,7 +56,8 @@ export SOURCE_DATE_EPOCH
 
 # Where the Python package goes follows from the prefix, also in a build that had another one.
 "$repository/Module/setup.sh" "${setup_options[@]}" -- -DCMAKE_INSTALL_PREFIX=/usr \
-  -UTEMPORAL_COHERENCE_PYTHON_DIRECTORY -DTEMPORAL_COHERENCE_WRAP_PYTHON=ON "$@" ||
+  -UTEMPORAL_COHERENCE_PYTHON_DIRECTORY -DTEMPORAL_COHERENCE_WRAP_PYTHON=ON \
+  -DTEMPORAL_COHERENCE_BUILD_PROGRAMS=ON "$@" ||
   fail "there is nothing to make packages of"
 
 rm -f "$build/packages"/*.deb

@@ -108,6 +108,30 @@ if (extension_module)
   list(APPEND packages python3-vtktemporalcoherence)
 endif ()
 
+# Pages and examples, as they lie here.
+file(GLOB_RECURSE pages RELATIVE "${SOURCE}" "${SOURCE}/Documentation/*" "${SOURCE}/Examples/*")
+list(FILTER pages EXCLUDE REGEX "\\.sh$|film\\.py$|__pycache__")
+list(TRANSFORM pages PREPEND share/doc/vtktemporalcoherence-doc/)
+set(contents_of_vtktemporalcoherence-doc ${pages} share/doc/vtktemporalcoherence-doc/README.md)
+list(APPEND packages vtktemporalcoherence-doc)
+
+load_cache("${BUILD}" READ_WITH_PREFIX build_ TEMPORAL_COHERENCE_BUILD_PROGRAMS TEMPORAL_COHERENCE_QVTK)
+if (build_TEMPORAL_COHERENCE_BUILD_PROGRAMS)
+  set(contents_of_vtktemporalcoherence-bin
+    bin/temporal-coherence share/man/man1/temporal-coherence.1.gz)
+  list(APPEND packages vtktemporalcoherence-bin)
+  if (build_TEMPORAL_COHERENCE_QVTK)
+    set(explorer vtktemporalcoherence-explorer)
+    set("contents_of_${explorer}"
+      "bin/${explorer}"
+      "share/applications/${explorer}.desktop"
+      "share/icons/hicolor/scalable/apps/${explorer}.svg"
+      "share/man/man1/${explorer}.1.gz"
+      "share/mime/packages/${explorer}.xml")
+    list(APPEND packages "${explorer}")
+  endif ()
+endif ()
+
 string(TOLOWER "${CONFIGURATION}" configuration)
 foreach (package IN LISTS packages)
   file(GLOB deb "${SCRATCH}/made/${package}_${VERSION}-*.deb")

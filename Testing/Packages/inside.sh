@@ -8,6 +8,9 @@ set -euo pipefail
 library=$(cd /test/packages && find . -name 'libvtktemporalcoherence[0-9]*' -printf '%f' | sed 's/_.*//')
 development=libvtktemporalcoherence-dev
 python=python3-vtktemporalcoherence
+command=vtktemporalcoherence-bin
+explorer=vtktemporalcoherence-explorer
+pages=vtktemporalcoherence-doc
 logs=/test/logs
 mkdir -p "$logs" /test/results
 unset DISPLAY WAYLAND_DISPLAY
@@ -76,9 +79,23 @@ assert name == "vtkTemporalCoherenceGPUVolumeRayCastMapper", name'
   done
 }
 
-build_example() # NAME
+test_command()
 {
-  logged "configure-$1" cmake -S "/test/Examples/$1" -B "/test/build/$1" -G Ninja
+  local results=/test/results/command
+  install command "/test/packages/$library"_*.deb "/test/packages/$command"_*.deb
+  mkdir -p "$results"
+  logged command-picture temporal-coherence --spheres 64 --iso 80,180 -o "$results/surfaces.png"
+  logged command-preset temporal-coherence --spheres 64 --preset mr --size 300 -o "$results/mr.png"
+  logged command-film temporal-coherence --spheres 64 --film turn --frames 3 --size 200 -o "$results/film"
+  check_pictures 5 "$results"/*.png "$results"/film/*.png
+  # Manual pages are left out of small systems when packages are unpacked.
+  dpkg -L "$command" | grep -q '/man1/temporal-coherence.1.gz$' || fail "the command has no manual page"
+  say "temporal-coherence draws: $(tail -n 1 "$logs/command-picture.log")"
+}
+
+build_example() # NAME [DIRECTORY OF THE EXAMPLES]
+{
+  logged "configure-$1" cmake -S "${2:-/test/Examples}/$1" -B "/test/build/$1" -G Ninja
   logged "build-$1" cmake --build "/test/build/$1"
 }
 
@@ -111,6 +128,29 @@ test_explorer()
     fail "the Explorer finds a display where there is none"
   [ "$(wc -l <"$logs/run-Explorer.log")" -eq 1 ] || fail "the Explorer needs more than a sentence to say so"
   say "Examples/Explorer: built; $(cat "$logs/run-Explorer.log")"
+
+  install explorer-package "/test/packages/$explorer"_*.deb shared-mime-info desktop-file-utils
+  ! "$explorer" --spheres 16 >"$logs/run-explorer.log" 2>&1 ||
+    fail "the packaged Explorer finds a display where there is none"
+  [ "$(wc -l <"$logs/run-explorer.log")" -eq 1 ] ||
+    fail "the packaged Explorer needs more than a sentence to say so"
+  logged desktop desktop-file-validate "/usr/share/applications/$explorer.desktop"
+  grep -q 'application/x-nifti:[*][.]nii' /usr/share/mime/globs2 ||
+    fail "the desktop does not know types of volumes"
+  say "$explorer: installed; the desktop knows it and its types of files"
+}
+
+test_pages()
+{
+  local directory=/usr/share/doc/$pages
+  logged install-pages apt install "/test/packages/$pages"_*.deb
+  if [ -e "$directory/README.md" ]; then
+    build_example Command "$directory/Examples"
+    logged run-Command /test/build/Command/temporal-coherence --spheres 32 -o /test/results/pages.png
+    say "$pages: Examples/Command is built as it lies there"
+  else
+    say "$pages: installed; this system leaves documents out"
+  fi
 }
 
 test_wrong_version()
@@ -130,7 +170,7 @@ test_wrong_version()
 test_purge()
 {
   local left
-  logged purge apt purge "$development" "$python" "$library"
+  logged purge apt purge "$development" "$python" "$command" "$explorer" "$pages" "$library"
   ldconfig
   left=$(find / -xdev -ipath '*temporalcoherence*' -not -path '/test/*' -not -path '/proc/*')
   [ -z "$left" ] || fail "left after purging: $left"
@@ -141,7 +181,9 @@ test_purge()
 
 logged update apt update
 test_python
+test_command
 test_development
 test_explorer
+test_pages
 test_wrong_version
 test_purge

@@ -25,6 +25,9 @@ the mirror that this machine's apt uses, and installs with apt, without recommen
   the -dev package, g++, cmake and ninja-build
                        Examples/DropIn and Examples/OrbitAndSweep are built and run; a program that wants
                        another version is told so
+  the command          it draws pictures and a film, and has a manual page
+  the Explorer         it says that there is no display; the desktop knows it and its types of files
+  the pages            the examples beside them are built as they lie there
 Nothing has a display. At last the packages are purged, and nothing of them may be left.
 
 environment: that of Testing/Systems/run.sh
@@ -72,7 +75,8 @@ make_packages()
 copy_what_is_tested()
 {
   local name debs
-  for name in 'libvtktemporalcoherence[0-9]*' libvtktemporalcoherence-dev python3-vtktemporalcoherence; do
+  for name in 'libvtktemporalcoherence[0-9]*' libvtktemporalcoherence-dev python3-vtktemporalcoherence \
+    vtktemporalcoherence-bin vtktemporalcoherence-explorer vtktemporalcoherence-doc; do
     mapfile -t debs < <(find "$packages" -maxdepth 1 -name "${name}_*.deb")
     [ "${#debs[@]}" -eq 1 ] ||
       fail "there has to be one package $name in $packages, and there are ${#debs[@]}"

@@ -11,16 +11,18 @@ usage()
 Show a volume's isosurface: pictures of an orbit and of a sweep of its isovalue, and what each took.
 
 usage: Examples/run.sh [VOLUME [ISOVALUE]] [OPTIONS]
+       Examples/run.sh --command [VOLUME [ISOVALUE]] [OPTIONS] [-o PICTURE.png]
 
-VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk,
-Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a directory with a DICOM series, or, with
---raw, a file of bare samples. Without VOLUME: a magnetic resonance image of a head from Debian's
-package mricron-data, or four generated spheres where that cannot be had.
+VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .nrrd .nhdr .slc), a stack of slices (.tif .png),
+a grid (.vtu .vts .vtr .vtm .vth .vtk, Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a list of
+time steps (.pvd .series), a directory with a DICOM series or with slices, or, with --raw, a file of
+bare samples. Without VOLUME: a magnetic resonance image of a head from Debian's package
+mricron-data, or four generated spheres where that cannot be had.
 
 What is missing is installed with apt (see Module/setup.sh --help), for --explore VTK's Qt widgets
 (package libvtk9-qt-dev), for DICOM GDCM (libgdcm-dev), too. vtkTemporalCoherence is built and
-installed into build/install, and Examples/OrbitAndSweep (with --explore: Examples/Explorer, with
---picture: Examples/Command) is built against what is installed there.
+installed into build/install, and Examples/OrbitAndSweep (with --explore: Examples/Explorer) is built
+against what is installed there.
 
   --no-packages          install no packages
   --size WxH | N         pixels of a picture; default 1024
@@ -33,11 +35,11 @@ installed into build/install, and Examples/OrbitAndSweep (with --explore: Exampl
   --raw NX,NY,NZ,TYPE[,SX,SY,SZ], --big-endian
                          what a file of bare samples holds, for example 256,256,110,uchar,1,1,2
   --quick                small pictures, few frames
-  --picture              one picture or film of your choice by the command temporal-coherence, which
-                         is built instead: --picture --iso 45,110 -o head.png (Documentation/Command.md)
   --explore              a window to look around in instead of pictures; needs a display
-  --help                 show this text; that of the program that was built (build/examples/...) tells
-                         all options
+  --command              one picture or film, by Examples/Command, whose options follow; --command
+                         --help lists them
+  --help                 show this text; that of build/examples/OrbitAndSweep/OrbitAndSweep and
+                         build/examples/Explorer/Explorer tells all options
 TEXT
 }
 
@@ -52,28 +54,32 @@ head_isovalue=45 # skin
 # Options of the program that a value follows: the value is not the name of a volume.
 takes_value()
 {
-  local common='size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|screenshot'
-  local of_picture='iso|opacity|color|preset|shift|window|level|azimuth|elevation|zoom|clip|background'
-  [[ $1 =~ ^(-o|--($common|$of_picture|samples|film|rate))$ ]]
+  [[ $1 =~ ^(-o|--(size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|screenshot))$ ]] ||
+    [[ $1 =~ ^--(iso|opacity|color|palette|material|light|preset|shift|window|level|draw|azimuth)$ ]] ||
+    [[ $1 =~ ^--(elevation|zoom|clip|cut|background|samples|film|rate)$ ]]
 }
 
-example=OrbitAndSweep
+program=OrbitAndSweep
 setup_options=()
 arguments=()
 volume=
 isovalue_given=no
 while [ $# -gt 0 ]; do
   case $1 in
-    --help | -h) usage; exit 0 ;;
+    --help | -h)
+      if [ "$program" = Command ]; then
+        arguments+=("$1")
+      else
+        usage
+        exit 0
+      fi
+      ;;
+    --command) program=Command ;;
     --no-packages) setup_options+=("$1") ;;
-    --explore | --interactive) example=Explorer; setup_options+=(--with-explorer) ;;
-    --picture) example=Command ;;
+    --explore | --interactive) program=Explorer; setup_options+=(--with-explorer) ;;
     --session) volume=of_session; arguments+=("$1") ;;
     --spheres) volume=generated; arguments+=("$1") ;;
-    --isovalue | --iso | --preset | --maximum | --minimum | --average | --film)
-      isovalue_given=yes
-      arguments+=("$1")
-      ;;
+    --isovalue | --iso | --preset | --maximum | --draw) isovalue_given=yes; arguments+=("$1") ;;
     -?*) arguments+=("$1") ;;
     *) [ -n "$volume" ] || volume=$1; arguments+=("$1") ;;
   esac
@@ -105,10 +111,12 @@ logged()
 }
 
 : >"$build/example.log"
-directory=$build/examples/$example
-printf '[example] Installing into %s and building %s against it\n' "$build/install" "$example"
+directory=$build/examples/$program
+binary=$directory/$program
+[ "$program" != Command ] || binary=$directory/temporal-coherence
+printf '[example] Installing into %s and building %s against it\n' "$build/install" "$program"
 logged cmake --install "$build" --prefix "$build/install"
-logged cmake -S "$repository/Examples/$example" -B "$directory" -G Ninja \
+logged cmake -S "$repository/Examples/$program" -B "$directory" -G Ninja \
   -DCMAKE_PREFIX_PATH="$build/install" -DCMAKE_BUILD_TYPE=Release
 logged cmake --build "$directory" --parallel
 
@@ -120,10 +128,7 @@ if [ -z "$volume" ]; then
   else
     printf '[example] %s is not there (Debian package mricron-data): four generated spheres instead\n' \
       "$head_volume"
-    arguments=(--spheres 256 "${arguments[@]}")
     [ "$isovalue_given" = yes ] || arguments+=(100)
   fi
 fi
-program=$example
-[ "$example" != Command ] || program=temporal-coherence
-exec "$directory/$program" "${arguments[@]}"
+exec "$binary" "${arguments[@]}"

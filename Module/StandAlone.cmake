@@ -32,7 +32,7 @@ set(vtk_components
 if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS OR TEMPORAL_COHERENCE_BUILD_PROGRAMS)
   list(APPEND vtk_components
     CommonSystem FiltersAMR FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOGeometry IOImage IOLegacy
-    IOPLY IOXML RenderingAnnotation RenderingFreeType RenderingImage TestingCore TestingRendering zlib)
+    IOPLY IOXML RenderingAnnotation RenderingFreeType RenderingImage TestingCore TestingRendering jsoncpp png tiff zlib)
 endif ()
 set(vtk_chart_components)
 set(vtk_reader_components) # of meshes, for examples and benchmarks
@@ -46,7 +46,7 @@ if (TEMPORAL_COHERENCE_BUILD_PROGRAMS)
 endif ()
 if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   set(vtk_chart_components
-    ChartsCore IOExport RenderingContext2D RenderingContextOpenGL2 RenderingFreeType)
+    ChartsCore IOExport RenderingContext2D RenderingContextOpenGL2)
 endif ()
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${vtk_components}

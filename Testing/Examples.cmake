@@ -27,7 +27,7 @@ add_test(NAME ExamplesAgainstInstall
     "-DVTK_DIR=${VTK_DIR}"
     "-DHAS_EXPLORER=${has_explorer}"
     -P "${CMAKE_CURRENT_LIST_DIR}/RunExamples.cmake")
-# Building four programs takes most of it.
+# Building three programs takes most of it.
 set_tests_properties(ExamplesAgainstInstall PROPERTIES TIMEOUT 900 FIXTURES_SETUP BuiltExamples)
 
 # The Explorer that was built there, used by mouse and keys, on screens of both kinds.

@@ -31,11 +31,13 @@ find_package(Python3 COMPONENTS Interpreter)
 if (Python3_Interpreter_FOUND)
   add_test(NAME Files-Cxx
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/fuzz_files.py"
-      --opener "$<TARGET_FILE:OpenFiles>" --count 4
+      --opener "$<TARGET_FILE:OpenFiles>" --count 3
       --scratch "${CMAKE_BINARY_DIR}/Testing/Files/cxx")
-  add_test(NAME Files-Read
-    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/read_files.py"
-      "$<TARGET_FILE:OpenFiles>")
+  foreach (test IN ITEMS files nrrd series stacks)
+    add_test(NAME "Files-Read-${test}"
+      COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/read_${test}.py"
+        "$<TARGET_FILE:OpenFiles>")
+  endforeach ()
 else ()
   temporal_coherence_skip_test(Files-Cxx "there is no Python, which breaks the files")
 endif ()

@@ -18,7 +18,7 @@ TESTING = pathlib.Path(__file__).resolve().parent
 PAGE = TESTING.parent / "Documentation/Tests.md"
 
 PATTERNS = ["Engine/**/Test*.cxx", "Cxx/**/Test*.cxx", "Explorer/Test*.cxx", "*/Test*.py", "*/run.sh",
-            "Files/read_files.py", "InsideVTK/CheckNamespace.cmake", "Run*.cmake"]
+            "Files/read_*.py", "InsideVTK/CheckNamespace.cmake", "Run*.cmake"]
 #: It measures, and promises nothing.
 LEFT_OUT = TESTING / "Benchmarks"
 #: The heading of what is in neither Cxx nor Engine.

@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
-#include "Files/Reading.h"
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 
 #include <vtkColor.h>
 #include <vtkNamedColors.h>
 #include <vtkNew.h>
-#include <vtkTemporalCoherencePresets.h>
-#include <vtkType.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <cstring>
 #include <sstream>
 
 namespace
@@ -21,316 +19,238 @@ namespace
 
 using Text = const std::string&;
 
-constexpr std::size_t MostSurfaces = 64;
-constexpr int MostPixels = 16384; // along a side, with all samples
-constexpr double MostElevation = 89.0;
-
-double ParseNumber(Text option, Text text, double least, double most, Text what)
+double ParseNumber(Text option, Text text, double least, double most)
 {
   double number = 0.0;
   if (!IsNumber(text, number) || number < least || number > most)
   {
-    throw UserError(option + " takes " + what + ", not " + Quoted(text) + ".");
+    std::ostringstream what;
+    what << option << " takes a number";
+    if (least > -1e300)
+    {
+      what << " from " << least << " to " << most;
+    }
+    what << ", not " << Quoted(text) << ".";
+    throw UserError(what.str());
   }
   return number;
 }
 
-double ParseNumber(Text option, Text text)
+std::vector<std::string> PartsOf(Text option, Text list)
 {
-  return ParseNumber(option, text, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX, "a number");
-}
-
-// What stands between commas; also the nothing behind the last one.
-std::vector<std::string> PartsOf(Text list)
-{
-  std::vector<std::string> parts(1);
-  for (const char character : list)
+  std::vector<std::string> parts;
+  std::istringstream in(list + ",");
+  for (std::string part; std::getline(in, part, ',');)
   {
-    if (character == ',')
+    if (part.empty())
     {
-      parts.emplace_back();
+      throw UserError(
+        option + " takes values with commas between, such as 80,120, not " + Quoted(list) + ".");
     }
-    else
-    {
-      parts.back() += character;
-    }
+    parts.push_back(part);
   }
   return parts;
 }
 
-void AddNumbers(
-  Text option, Text list, double least, double most, Text what, std::vector<double>& numbers)
+void AddNumbers(Text option, Text list, double least, double most, std::vector<double>& numbers)
 {
-  for (const std::string& part : PartsOf(list))
+  for (Text part : PartsOf(option, list))
   {
-    numbers.push_back(ParseNumber(option, part, least, most, what));
+    numbers.push_back(ParseNumber(option, part, least, most));
   }
 }
 
+// A name of HTML, or #rrggbb.
 Rgb ParseColor(Text option, Text text)
 {
-  vtkNew<vtkNamedColors> names;
-  const bool isNumber = text.size() == 7 && text[0] == '#' &&
+  vtkNew<vtkNamedColors> named;
+  const bool isHex = text.size() == 7 && text[0] == '#' &&
     text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (!isNumber && (text.empty() || text[0] == '#' || !names->ColorExists(text)))
+  if (!isHex && !named->ColorExists(text))
   {
-    throw UserError(option +
-      " takes names of colours, for example tomato or white, or #rrggbb, not " + Quoted(text) +
-      ".");
-  }
-  if (!isNumber)
-  {
-    const vtkColor3d color = names->GetColor3d(text);
-    return { color[0], color[1], color[2] };
-  }
-  const unsigned long all = std::stoul(text.substr(1), nullptr, 16);
-  Rgb color;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    color[i] = static_cast<double>((all >> (16 - 8 * i)) & 255) / 255.0;
-  }
-  return color;
-}
-
-std::string ParsePreset(Text option, Text text)
-{
-  std::string name = LowerCase(text), names;
-  std::replace(name.begin(), name.end(), '-', ' ');
-  for (int i = 0; i < vtkTemporalCoherencePresets::GetNumberOfPresets(); ++i)
-  {
-    const std::string known = vtkTemporalCoherencePresets::GetPresetName(i);
-    if (name == known)
-    {
-      return known;
-    }
-    names += (names.empty() ? "\"" : ", \"") + known + "\"";
-  }
-  throw UserError(option + " takes one of " + names + ", not " + Quoted(text) + ".");
-}
-
-Options::Cut ParseClip(Text option, Text text)
-{
-  Options::Cut clip;
-  std::string number = text;
-  if (!number.empty() && number[0] != '+' && number[0] != '-')
-  {
-    number.insert(0, "+");
-  }
-  const bool hasAxis =
-    number.size() > 3 && number[1] >= 'x' && number[1] <= 'z' && number[2] == '=';
-  clip.Axis = number.substr(0, 2);
-  number.erase(0, 3);
-  clip.IsShare = !number.empty() && number.back() == '%';
-  if (clip.IsShare)
-  {
-    number.pop_back();
-  }
-  if (!hasAxis || !IsNumber(number, clip.Value))
-  {
-    throw UserError(option +
-      " takes an axis and where it is cut, for example +x=12.5, which hides "
-      "what lies beyond x = 12.5, or -z=50%, which hides the lower half, not " +
+    throw UserError(option + " takes colours by name or as #rrggbb, such as ivory,#4080ff, not " +
       Quoted(text) + ".");
   }
-  clip.Value *= clip.IsShare ? 0.01 : 1.0;
-  return clip;
+  const vtkColor3ub color = isHex ? named->HTMLColorToRGB(text) : named->GetColor3ub(text);
+  return { color[0] / 255.0, color[1] / 255.0, color[2] / 255.0 };
 }
 
-void SetDrawing(Options& options, const std::string& option, const std::string& drawing)
+// The place of a word of a choice.
+double ParseWord(Text option, Text text, Row::Which choice)
 {
-  if (!options.DrawsSurfaces() && options.Drawing != drawing)
+  const std::vector<const char*>& words = AllSettings()[choice].Words;
+  const auto at =
+    std::find_if(words.begin(), words.end(), [&](const char* word) { return text == word; });
+  if (at == words.end())
   {
-    throw UserError("A picture has one of --preset, --maximum, --minimum and --average; leave " +
-      option + " out, or the other one.");
+    std::string list;
+    for (const char* word : words)
+    {
+      list += (list.empty() ? "" : ", ") + std::string(word);
+    }
+    throw UserError(option + " takes one of " + list + ", not " + Quoted(text) + ".");
   }
-  options.Drawing = drawing;
+  return static_cast<double>(at - words.begin());
 }
 
-void AddLook(CommandLine& line, Options& options)
+void ParseClip(Text option, Text text, Options& options)
 {
-  Options& o = options;
-  const auto addIsovalues = [&o](Text option, Text value)
+  const std::size_t axis = text.find_first_not_of("+-");
+  const std::string rest = axis == std::string::npos ? "" : text.substr(axis);
+  if (axis > 1 || rest.empty() || rest[0] < 'x' || rest[0] > 'z' ||
+    (rest.size() > 1 && (rest[1] != '=' || rest.size() == 2)))
   {
-    AddNumbers(option, value, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX, "isovalues, with commas between them",
-      o.Isovalues);
+    throw UserError(
+      option + " takes an axis and a place, such as x=40, -z=12.5 or y, not " + Quoted(text) + ".");
+  }
+  options.IsClipFlipped = text[0] == '-';
+  options.ClipAxis = static_cast<std::size_t>(rest[0] - 'x');
+  if (rest.size() > 2)
+  {
+    options.ClipAt = ParseNumber(option, rest.substr(2), -1e300, 1e300);
+  }
+}
+
+void ParseSamples(Text option, Text text, Options& options)
+{
+  options.Samples = ParseCount(option, text, 64);
+  const int side = static_cast<int>(std::lround(std::sqrt(options.Samples)));
+  if (side * side != options.Samples)
+  {
+    throw UserError(option + " takes a square number: 1, 4, 9, 16, 25, 36, 49 or 64.");
+  }
+}
+
+void AddLooks(CommandLine& line, Options& options)
+{
+  constexpr double unbounded = 1e300;
+  const auto addChoice = [&](const char* option, Row::Which choice)
+  {
+    line.AddSetting(option,
+      [&options, choice](Text name, Text value)
+      { options.Choices.emplace_back(choice, ParseWord(name, value, choice)); });
   };
-  line.AddSetting("--iso", addIsovalues);
-  line.AddSetting("--isovalue", addIsovalues);
+  const auto addSwitch = [&](const char* option, Row::Which choice, double value)
+  {
+    line.AddSwitch(
+      option, [&options, choice, value] { options.Choices.emplace_back(choice, value); });
+  };
+  line.AddSetting("--iso",
+    [&options](Text name, Text value)
+    { AddNumbers(name, value, -unbounded, unbounded, options.Isovalues); });
   line.AddSetting("--opacity",
-    [&o](Text option, Text value)
-    {
-      AddNumbers(option, value, 0.001, 1.0, "numbers from 0.001 to 1, with commas between them",
-        o.Opacities);
-    });
+    [&options](Text name, Text value) { AddNumbers(name, value, 0.0, 1.0, options.Opacities); });
   line.AddSetting("--color",
-    [&o](Text option, Text value)
+    [&options](Text name, Text value)
     {
-      for (const std::string& part : PartsOf(value))
+      for (Text part : PartsOf(name, value))
       {
-        o.Colors.push_back(ParseColor(option, part));
+        options.Colors.push_back(ParseColor(name, part));
       }
     });
   line.AddSetting("--preset",
-    [&o](Text option, Text value)
+    [&options](Text name, Text value)
     {
-      o.Preset = ParsePreset(option, value);
-      SetDrawing(o, option, "composite");
+      options.Choices.emplace_back(Row::Drawing, 1.0);
+      ParseWord(name, value, Row::Preset);
+      options.Preset = value;
     });
-  line.AddSetting(
-    "--shift", [&o](Text option, Text value) { o.Shift = ParseNumber(option, value); });
-  for (const char* drawing : { "maximum", "minimum", "average" })
-  {
-    const std::string option = std::string("--") + drawing;
-    line.AddSwitch(option, [&o, option, drawing] { SetDrawing(o, option, drawing); });
-  }
+  line.AddSetting("--shift",
+    [&options](Text name, Text value)
+    { options.Shift = ParseNumber(name, value, -unbounded, unbounded); });
   line.AddSetting("--window",
-    [&o](Text option, Text value)
-    {
-      o.Window = ParseNumber(
-        option, value, std::numeric_limits<double>::min(), VTK_DOUBLE_MAX, "a number above 0");
-    });
-  line.AddSetting(
-    "--level", [&o](Text option, Text value) { o.Level = ParseNumber(option, value); });
-  line.AddSwitch("--occlusion", [&o] { o.HasOcclusion = true; });
-  line.AddSwitch("--shadows", [&o] { o.HasShadows = true; });
-}
-
-void AddView(CommandLine& line, Options& options)
-{
-  Options& o = options;
-  line.AddSetting(
-    "--azimuth", [&o](Text option, Text value) { o.Azimuth = ParseNumber(option, value); });
-  line.AddSetting("--elevation",
-    [&o](Text option, Text value)
-    {
-      o.Elevation =
-        ParseNumber(option, value, -MostElevation, MostElevation, "degrees from -89 to 89");
-    });
-  line.AddSetting("--zoom",
-    [&o](Text option, Text value)
-    { o.Zoom = ParseNumber(option, value, 0.01, 1000.0, "a factor from 0.01 to 1000"); });
-  line.AddSwitch("--parallel", [&o] { o.IsParallel = true; });
-  line.AddSetting("--clip", [&o](Text option, Text value) { o.Clip = ParseClip(option, value); });
+    [&options](Text name, Text value)
+    { options.Window = ParseNumber(name, value, 1e-300, unbounded); });
+  line.AddSetting("--level",
+    [&options](Text name, Text value)
+    { options.Level = ParseNumber(name, value, -unbounded, unbounded); });
+  addChoice("--draw", Row::Drawing);
+  addSwitch("--maximum", Row::Drawing, 2.0);
+  addChoice("--palette", Row::Palette);
+  addChoice("--material", Row::Material);
+  addChoice("--light", Row::Light);
+  addSwitch("--occlusion", Row::Occlusion, 1.0);
+  addSwitch("--shadows", Row::Shadows, 1.0);
+  addChoice("--cut", Row::Cut);
+  addSwitch("--parallel", Row::Projection, 1.0);
+  addSwitch("--outline", Row::Outline, 1.0);
+  addSwitch("--axes", Row::Axes, 1.0);
+  addSwitch("--scale-bar", Row::ScaleBar, 1.0);
+  addSwitch("--color-bar", Row::ColorBar, 1.0);
   line.AddSetting("--background",
-    [&o](Text option, Text value)
+    [&options](Text name, Text value)
     {
-      o.IsTransparent = value == "transparent";
-      if (!o.IsTransparent)
-      {
-        o.Background = ParseColor(option, value);
-      }
+      const bool isNone = value == "none";
+      options.Choices.emplace_back(isNone ? Row::Transparency : Row::Background,
+        isNone ? 1.0 : ParseWord(name, value, Row::Background));
     });
 }
 
-void AddOutput(CommandLine& line, Options& options)
+void AddViews(CommandLine& line, Options& options)
 {
-  Options& o = options;
+  line.AddSetting("--azimuth",
+    [&options](Text name, Text value)
+    { options.Azimuth = ParseNumber(name, value, -360.0, 360.0); });
+  line.AddSetting("--elevation",
+    [&options](Text name, Text value)
+    { options.Elevation = ParseNumber(name, value, -89.0, 89.0); });
+  line.AddSetting("--zoom",
+    [&options](Text name, Text value) { options.Zoom = ParseNumber(name, value, 0.01, 100.0); });
+  line.AddSetting("--clip", [&options](Text name, Text value) { ParseClip(name, value, options); });
   line.AddSetting(
-    "--samples", [&o](Text option, Text value) { o.Samples = ParseCount(option, value, 16); });
+    "--samples", [&options](Text name, Text value) { ParseSamples(name, value, options); });
   line.AddSetting("--film",
-    [&o](Text option, Text value)
+    [&options](Text name, Text value)
     {
       if (value != "turn" && value != "sweep")
       {
-        throw UserError(option +
-          " takes turn, once around the volume, or sweep, through its "
-          "isovalues, not " +
-          Quoted(value) + ".");
+        throw UserError(name + " takes one of turn, sweep, not " + Quoted(value) + ".");
       }
-      o.Film = value;
+      options.Motion = value == "turn" ? Film::Turn : Film::Sweep;
     });
+  line.AddSetting("--frames",
+    [&options](Text name, Text value) { options.Frames = ParseCount(name, value, 100000); });
   line.AddSetting(
-    "--frames", [&o](Text option, Text value) { o.Frames = ParseCount(option, value, 100000); });
-  line.AddSetting(
-    "--rate", [&o](Text option, Text value) { o.Rate = ParseCount(option, value, 120); });
-  const auto setOutput = [&o](Text, Text value) { o.Output = value; };
-  line.AddSetting("-o", setOutput);
-  line.AddSetting("--output", setOutput);
-  line.AddSwitch("--version", [&o] { o.WantsVersion = true; });
-}
-
-void RequireOneForEach(
-  const std::string& option, const char* what, std::size_t count, const Options& options)
-{
-  const std::size_t isovalues = std::max<std::size_t>(options.Isovalues.size(), 1);
-  if (count > 1 && count != isovalues)
+    "--rate", [&options](Text name, Text value) { options.Rate = ParseCount(name, value, 240); });
+  for (const char* option : { "-o", "--output" })
   {
-    throw UserError(option + " has " + std::to_string(count) + " " + what + ", and there " +
-      (isovalues == 1 ? "is 1 isovalue" : "are " + std::to_string(isovalues) + " isovalues") +
-      "; give one for all, or one for each isovalue of --iso.");
+    line.AddSetting(option, [&options](Text, Text value) { options.Output = value; });
   }
 }
 
-void CheckSurfaces(const Options& options)
+// What can be known before a volume is read.
+void Check(const Options& options)
 {
-  if (options.Isovalues.size() > MostSurfaces)
-  {
-    throw UserError("There are " + std::to_string(options.Isovalues.size()) +
-      " isovalues; give at most " + std::to_string(MostSurfaces) + ".");
-  }
-  std::vector<double> sorted = options.Isovalues;
-  std::sort(sorted.begin(), sorted.end());
-  const auto same = std::adjacent_find(sorted.begin(), sorted.end());
-  if (same != sorted.end())
-  {
-    std::ostringstream what;
-    what << "The isovalue " << *same << " is given twice; give each one once.";
-    throw UserError(what.str());
-  }
-  if (options.Film == "sweep")
-  {
-    if (options.Isovalues.size() == 1 || options.Isovalues.size() > 2 ||
-      options.Opacities.size() > 1 || options.Colors.size() > 1)
-    {
-      throw UserError("--film sweep shows one surface, whose isovalue goes from one value to "
-                      "another: give --iso FROM,TO, or none, and one opacity and colour at most.");
-    }
-    return;
-  }
-  RequireOneForEach("--opacity", "opacities", options.Opacities.size(), options);
-  RequireOneForEach("--color", "colours", options.Colors.size(), options);
-}
-
-// Each option has an effect, or is refused.
-void CheckLook(const Options& options)
-{
-  const bool isSurface = options.DrawsSurfaces();
-  const std::pair<const char*, bool> ofSurfaces[] = { { "--iso", !options.Isovalues.empty() },
-    { "--opacity", !options.Opacities.empty() }, { "--color", !options.Colors.empty() },
-    { "--threshold", options.ThresholdMode }, { "--occlusion", options.HasOcclusion },
-    { "--shadows", options.HasShadows }, { "--film sweep", options.Film == "sweep" } };
-  for (const auto& [option, isGiven] : ofSurfaces)
-  {
-    if (isGiven && !isSurface)
-    {
-      throw UserError(std::string(option) + " is for surfaces, and --" +
-        (options.Preset.empty() ? options.Drawing : "preset") +
-        " draws none; leave one of the two out.");
-    }
-  }
-  if (options.Shift && options.Preset.empty())
-  {
-    throw UserError("--shift moves a preset over the values; give --preset, too.");
-  }
-  if ((options.Window || options.Level) && (isSurface || !options.Preset.empty()))
-  {
-    throw UserError("--window and --level are the greys of a projection; give --maximum, --minimum "
-                    "or --average, too.");
-  }
-}
-
-void CheckPicture(const Options& options)
-{
-  if (!options.IsFilm() && (options.Frames || options.Rate))
+  const std::size_t surfaces = std::max<std::size_t>(options.Isovalues.size(), 1);
+  if (options.Opacities.size() > surfaces || options.Colors.size() > surfaces)
   {
     throw UserError(
-      "--frames and --rate are those of a film; give --film turn or --film sweep, too.");
+      "There are more opacities or colours than isovalues; give each isovalue one, or "
+      "fewer, of which the last one goes on.");
   }
-  if (options.Samples * std::max(options.Width, options.Height) > MostPixels)
+  const auto hasChoice = [&](Row::Which choice, bool (*isIt)(double))
   {
-    throw UserError("--samples " + std::to_string(options.Samples) + " of " +
-      std::to_string(options.Width) + " x " + std::to_string(options.Height) +
-      " pixels are too many rays; choose fewer samples, or a smaller --size.");
+    return std::any_of(options.Choices.begin(), options.Choices.end(),
+      [&](const auto& made) { return made.first == choice && isIt(made.second); });
+  };
+  const bool blends = hasChoice(Row::Drawing, [](double word) { return word != 0.0; });
+  if (blends && (!options.Isovalues.empty() || options.Isovalue))
+  {
+    throw UserError(
+      "Isovalues are those of surfaces, and no surfaces are drawn; leave out --iso, or "
+      "--preset, --maximum and --draw.");
+  }
+  if (options.Preset.empty() && options.Shift != 0.0)
+  {
+    throw UserError("--shift moves a preset; name one by --preset.");
+  }
+  if (options.Window.has_value() != options.Level.has_value())
+  {
+    throw UserError("--window and --level belong together; give both, or none.");
+  }
+  if (hasChoice(Row::Cut, [](double word) { return word != 0.0; }) && !options.ClipAxis)
+  {
+    throw UserError("--cut shows samples where --clip cuts; give --clip, too.");
   }
 }
 
@@ -340,80 +260,68 @@ Options ParseOptions(int argc, char* argv[])
 {
   Options options;
   CommandLine line(options);
-  AddLook(line, options);
-  AddView(line, options);
-  AddOutput(line, options);
-  bool isGenerated = false;
-  line.AddSetting("--spheres",
-    [&](Text option, Text value)
-    {
-      options.Source.Spheres = ParseCount(option, value, 2048);
-      isGenerated = true;
-    });
+  AddLooks(line, options);
+  AddViews(line, options);
   line.Parse({ argv + 1, argv + argc });
-  if (options.Help || options.WantsVersion)
-  {
-    return options;
-  }
-  if (options.Isovalue) // behind the file
+  if (options.Isovalue)
   {
     options.Isovalues.insert(options.Isovalues.begin(), *options.Isovalue);
   }
-  if (options.Source.Path.empty() && !isGenerated)
-  {
-    throw UserError("Name the file of a volume, or give --spheres 256 for a generated one; --help "
-                    "tells what is read.");
-  }
-  CheckLook(options);
-  CheckSurfaces(options);
-  CheckPicture(options);
+  Check(options);
   return options;
 }
 
 std::string HelpText()
 {
   return std::string(
-           R"(Draw a volume, by rays on the CPU, into a picture or a film. It needs no window.
+           R"(Draw isosurfaces or a blended volume of a file, without a window.
 
-usage: temporal-coherence FILE [ISOVALUE] [OPTIONS] [-o PICTURE.png]
+usage: temporal-coherence [VOLUME [ISOVALUE] | FILE.session] [OPTIONS] [-o PICTURE.png]
 
-FILE is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk and
-the parallel .pvti .pvtu .pvts .pvtr; Exodus .ex2 .exo .e, .cgns and PLOT3D .xyz, xyz.bin where VTK
-reads them), a directory with a series of DICOM files, or, with --raw, a file of bare samples.
-
-Surfaces, which are drawn if nothing else is asked for:
-  --iso V,V,...          isovalues; default: one, chosen from the histogram
-  --opacity O,O,...      from 0 to 1, one for all surfaces or one for each; default: 1, but 0.3 for
-                         all but the highest of several isovalues
-  --color C,C,...        names (tomato) or #rrggbb, one for all surfaces or one for each
-  --occlusion            ambient occlusion: hollows are darker
-  --shadows              surfaces cast shadows on each other
-Blended volumes, of images and rectilinear grids:
-  --preset NAME          see-through: "ct bone", "ct soft tissue", "ct vessels" (Hounsfield units),
-                         or "mr" (any unit)
-  --shift V              moves the preset up by so much
-  --maximum, --minimum, --average
-                         of the values along each ray, in grey
-  --window W --level L   the greys: how many values lie from black to white, and the one between
-The view:
-  --azimuth A            degrees that the viewer walks around the volume; default 0
-  --elevation E          degrees above the level, -89 to 89; default 6
-  --zoom Z               larger than what fits the picture; default 1
-  --parallel             without perspective
-  --clip AXIS=V          hides what lies beyond, of +x, -x, +y, -y, +z or -z: +x=12.5; with % a share
-                         of the volume: -z=50%
-The picture:
-  -o, --output NAME      PICTURE.png, or for a film FILM.ogv, where VTK can write it, or a directory
-                         for numbered pictures; default: named as FILE, in the current directory
-  --size WxH | N         pixels, width x height or a square's side; default 1024
-  --background COLOR     a name or #rrggbb, or transparent; default: dark
-  --samples N            N x N rays in each pixel, besides those at edges; default 1
-  --film turn | sweep    once around the volume, or through the isovalues, from the first of --iso to
-                         the second
-  --frames N, --rate R   pictures of the film, and how many a second; default 100 and 25
-The volume:
 )") +
-    CommonOptionsHelp + R"(  --version              show the version
-  --help                 show this text
-)";
+    VolumeHelp + R"(FILE.session is one that the Explorer saved.
+
+  -o, --output FILE      where the picture goes (.png); default: the volume's name, here. A film: a
+                         directory for numbered pictures, or .ogv where VTK writes films
+  --size WxH | N         pixels of a picture; default 1024
+
+ surfaces
+  --iso V[,V...]         isovalues; also more than once
+  --opacity O[,O...]     of each isovalue, 0 to 1; the last one goes on
+  --color C[,C...]       of each isovalue: a name (ivory, tomato) or #rrggbb
+  --palette NAME         colours over the values instead: tissue ivory steel ember viridis cool-warm
+  --material NAME        satin matt glossy flat
+  --light NAME           studio head side rim
+  --occlusion            ambient occlusion: hollows are darker; takes seconds, see-through
+                         surfaces take up to a minute
+  --shadows              of surfaces on one another
+
+ blended volumes
+  --preset NAME          "ct bone", "ct soft tissue", "ct vessels" (Hounsfield units), or mr
+  --shift V              moves the preset over the values
+  --maximum              the largest value of each ray, in grey
+  --window W --level L   how many values lie from black to white, and the middle one
+  --draw NAME            surfaces composite maximum minimum average additive
+
+ view
+  --azimuth D            degrees around the volume
+  --elevation D          degrees up
+  --zoom F               times as large
+  --parallel             without perspective
+  --clip [-]AXIS[=V]     what lies beyond a plane across an axis is seen (-: what lies before it),
+                         for example x=40 or -z; default: in the middle
+  --cut NAME             what is seen on that plane: nothing, "grey values", colours
+  --background NAME      dark grey white, or none for a transparent picture
+  --outline --axes --scale-bar --color-bar
+                         what is seen beside the volume; these and --cut need a display
+  --samples N            rays a pixel: 1 4 9 16 25 36 49 64; edges have 16 at least; default 1
+
+ films
+  --film turn | sweep    around the volume, or through all isovalues
+  --frames N             default 120
+  --rate N               frames a second of .ogv; default 25
+
+ files
+)" + CommonOptionsHelp +
+    "  --help                 show this text\n";
 }

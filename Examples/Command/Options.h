@@ -5,48 +5,38 @@
 
 #include "Model/Settings.h"
 #include "Program/CommandLine.h"
-#include "View/Viewpoint.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
+enum class Film
+{
+  None,
+  Turn,
+  Sweep // of the isovalues
+};
+
+// What the command line says.
 struct Options : CommonOptions
 {
-  // What is drawn of the values: Drawing is a word of Row::Drawing.
-  std::string Drawing = "surfaces";
   std::vector<double> Isovalues; // none: one is chosen
-  std::vector<double> Opacities; // none, one for all, or one for each isovalue
-  std::vector<Rgb> Colors;       // as well
-  std::string Preset;            // of composite volumes
-  std::optional<double> Shift;
-  std::optional<double> Window, Level; // of projections
-  bool HasOcclusion = false, HasShadows = false;
-
-  // From where, and how much of it.
-  double Azimuth = 0.0;              // degrees
-  double Elevation = UsualElevation; // as well
+  std::vector<double> Opacities; // of the isovalues, in their order; the last one goes on
+  std::vector<Rgb> Colors;       // the same
+  std::vector<std::pair<Row::Which, double>> Choices; // that were named, for the look
+  std::string Preset;                                 // none: ""
+  double Shift = 0.0;
+  std::optional<double> Window, Level;
+  double Azimuth = 0.0, Elevation = 0.0; // degrees
   double Zoom = 1.0;
-  bool IsParallel = false;
-  struct Cut
-  {
-    std::string Axis; // "+x": what lies beyond is hidden
-    double Value = 0.0;
-    bool IsShare = false; // of the volume's bounds
-  };
-  std::optional<Cut> Clip;
-
-  // The picture.
-  int Samples = 1;               // rays along the width and the height of a pixel
-  std::optional<Rgb> Background; // none: dark
-  bool IsTransparent = false;
-  std::string Film; // "turn", "sweep"; empty: one picture
-  std::optional<int> Frames, Rate;
-  std::string Output; // empty: a name like that of the volume
-  bool WantsVersion = false;
-
-  bool DrawsSurfaces() const { return this->Drawing == "surfaces"; }
-  bool IsFilm() const { return !this->Film.empty(); }
+  std::optional<std::size_t> ClipAxis;
+  std::optional<double> ClipAt; // along the axis; none: in the middle
+  bool IsClipFlipped = false;   // what lies below is seen
+  int Samples = 1;              // rays a pixel, beside those at edges: a square number
+  Film Motion = Film::None;
+  int Frames = 120;
+  int Rate = 25;      // frames a second
+  std::string Output; // picture, film, directory or session
 };
 
 // Throws UserError.

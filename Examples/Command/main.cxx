@@ -1,88 +1,171 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws a volume into a picture or a film, without a window.
+// Draws a volume without a window: the Explorer's pictures, from a command line.
 #include "Files/Trial.h"
-#include "Model/Film.h"
+#include "Model/Model.h"
 #include "Options.h"
+#include "Pictures.h"
 #include "Program/Quoted.h"
-#include "Program/StatusLine.h"
 #include "Program/UserError.h"
-#include "Scene.h"
-#include "Target.h"
-#include "View/Picture.h"
+#include "View/Isovalue.h"
 
+#include <vtkCamera.h>
 #include <vtkTimerLog.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <string>
+#include <cstdlib>
+#include <utility>
 
 namespace
 {
 
-const char* const Name = "temporal-coherence";
-constexpr int UsualFrames = 100;
-constexpr int UsualRate = 25; // a second
-
-// Returns what it made, for people: "Picture: brain.png, 1024 x 1024 pixels".
-std::string DrawPicture(Scene& scene, const std::filesystem::path& target, StatusLine& status)
+// The outer surfaces, as a rule those of smaller values, let the others be seen.
+std::vector<Marker> SurfacesOf(const Options& options)
 {
-  const vtkSmartPointer<vtkImageData> picture = scene.Picture(
-    [&](double share)
+  const auto of = [](const auto& values, std::size_t i)
+  { return values[std::min(i, values.size() - 1)]; };
+  std::vector<Marker> surfaces;
+  const std::vector<double>& isovalues = options.Isovalues;
+  for (std::size_t i = 0; i < isovalues.size(); ++i)
+  {
+    Marker surface{ isovalues[i] };
+    const bool isInner = isovalues[i] == *std::max_element(isovalues.begin(), isovalues.end());
+    surface.Opacity = !options.Opacities.empty() ? of(options.Opacities, i)
+      : isInner                                  ? 1.0
+                                                 : SeeThrough;
+    if (!options.Colors.empty())
     {
-      status.Show("Drawing", share);
-      return true;
-    });
-  WritePng(picture, target.string(), OutputRemedy);
-  return "Picture: " + Printable(target.string()) + ", ";
+      surface.Color = of(options.Colors, i);
+    }
+    else if (i > 0)
+    {
+      surface.Color = ContrastOf(i);
+    }
+    surfaces.push_back(surface);
+  }
+  if (surfaces.empty() && (!options.Opacities.empty() || !options.Colors.empty()))
+  {
+    surfaces.push_back({ 0.0, options.Opacities.empty() ? 1.0 : options.Opacities[0] });
+    surfaces[0].Color =
+      options.Colors.empty() ? std::optional<Rgb>() : std::optional<Rgb>(options.Colors[0]);
+  }
+  return surfaces;
 }
 
-std::string DrawFilm(
-  Scene& scene, const std::filesystem::path& target, const Options& options, StatusLine& status)
+Session SessionOf(const Options& options)
 {
-  const int frames = options.Frames.value_or(UsualFrames);
-  const int rate = options.Rate.value_or(UsualRate);
-  // A turn ends one step before it begins again.
-  const int steps = options.Film == "turn" ? frames : std::max(frames - 1, 1);
-  Film film(target, rate, OutputRemedy);
-  for (int frame = 0; frame < frames; ++frame)
+  Session session;
+  session.Source = options.Source;
+  session.Settings.Values[Row::Occlusion] = 0.0; // for speed
+  if (IsSessionName(options.Source.Path))
   {
-    scene.MoveTo(1.0 * frame / steps);
-    film.Add(scene.Picture(
-      [&](double share)
-      {
-        status.Show("Drawing", (frame + share) / frames);
-        return true;
-      }));
+    session = ReadSession(options.Source.Path);
   }
-  film.End();
-  const std::string speed =
-    Film::IsFilmName(target) ? ", " + std::to_string(rate) + " a second" : "";
-  return "Film: " + Printable(target.string()) + ", " + std::to_string(frames) +
-    (frames == 1 ? " frame" : " frames") + speed + ", ";
+  Look& look = session.Settings;
+  for (const auto& [row, value] : options.Choices)
+  {
+    look.Values[row] = value;
+  }
+  if (options.ThresholdMode)
+  {
+    look.Values[Row::Surface] = vtkTemporalCoherenceVolumeMapper::THRESHOLD;
+  }
+  const std::vector<Marker> surfaces = SurfacesOf(options);
+  look.Surfaces = surfaces.empty() ? look.Surfaces : surfaces;
+  if (!options.Isovalues.empty())
+  {
+    session.Isovalue = options.Isovalues[0];
+  }
+  return session;
+}
+
+// What needs the values and the place of the volume.
+void SetLook(Model& model, const Options& options)
+{
+  for (const double isovalue : options.Isovalues)
+  {
+    ChooseIsovalue(model.Counted(), isovalue, Quoted(model.Data().Name));
+  }
+  Look look = model.Settings();
+  const std::vector<Setting>& settings = AllSettings();
+  if (!options.Preset.empty())
+  {
+    const auto& words = settings[Row::Preset].Words;
+    const auto at = std::find_if(
+      words.begin(), words.end(), [&](const char* word) { return options.Preset == word; });
+    model.SetChoice(look, Row::Preset, static_cast<int>(at - words.begin()));
+    model.SetNumber(settings[Row::Shift], look, 0, options.Shift);
+  }
+  if (options.Window)
+  {
+    model.SetNumber(settings[Row::Window], look, 0, *options.Window);
+    model.SetNumber(settings[Row::Level], look, 0, *options.Level);
+  }
+  if (options.ClipAxis)
+  {
+    const Box& box = model.View.WorldBounds();
+    const std::size_t axis = *options.ClipAxis;
+    look.Values[Row::Clipping] = 1.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      look.Clip.Origin[i] = 0.5 * (box[2 * i] + box[2 * i + 1]);
+      look.Clip.Normal[i] = i == axis ? (options.IsClipFlipped ? -1.0 : 1.0) : 0.0;
+    }
+    look.Clip.Origin[axis] = options.ClipAt.value_or(look.Clip.Origin[axis]);
+  }
+  model.SetSettings(look);
+}
+
+void SetView(Model& model, const Options& options)
+{
+  vtkCamera* const camera = model.View.Renderer->GetActiveCamera();
+  camera->Azimuth(options.Azimuth);
+  camera->Elevation(options.Elevation);
+  camera->OrthogonalizeViewUp();
+  // The view is made for a square: all of it is seen in a narrower picture, too.
+  const double narrow = std::min(1.0, 1.0 * options.Width / options.Height);
+  const double zoom = options.Zoom * (model.State().HasCamera ? 1.0 : narrow);
+  camera->Zoom(zoom);
+}
+
+// Samples on a plane, axes and text are drawn by OpenGL.
+void CheckDisplay(const Look& look)
+{
+#if !defined(_WIN32) && !defined(__APPLE__)
+  const bool needsDisplay = look.Values[Row::Outline] != 0.0 || look.Values[Row::Axes] != 0.0 ||
+    look.Values[Row::ScaleBar] != 0.0 || look.Values[Row::ColorBar] != 0.0 ||
+    look.Values[Row::Cut] != 0.0;
+  const char* const display = std::getenv("DISPLAY");
+  if (needsDisplay && (!display || !*display))
+  {
+    throw UserError(
+      "What is beside the volume is drawn by OpenGL, which needs a display, and DISPLAY "
+      "is not set; leave it out, or run this under xvfb-run.");
+  }
+#endif
 }
 
 void Run(const Options& options)
 {
-  const std::filesystem::path target = TargetOf(options);
-  StatusLine status;
-  Scene scene(options,
-    [&](double share)
-    {
-      status.Show("Reading", share);
-      return true;
-    });
+  CheckOutput(options);
+  const Session session = SessionOf(options);
+  CheckDisplay(session.Settings);
   const double begin = vtkTimerLog::GetUniversalTime();
-  const std::string made = options.IsFilm() ? DrawFilm(scene, target, options, status)
-                                            : DrawPicture(scene, target, status);
-  const double seconds = vtkTimerLog::GetUniversalTime() - begin;
-  status.Show("");
-  std::printf("%s\n%s%d x %d pixels, %s, made in %.3g s\n", scene.Description().c_str(),
-    made.c_str(), options.Width, options.Height, SizeForPeople(target).c_str(), seconds);
-  for (const std::string& remark : scene.Remarks())
+  Model model(options.From, options.Up);
+  model.Open(session);
+  SetLook(model, options);
+  SetView(model, options);
+  const std::string remark = model.Data().Remark.empty() ? "" : "\n" + model.Data().Remark;
+  std::printf("Volume: %s, %s, values %g to %g%s\n", model.Data().Name.c_str(),
+    model.Description().c_str(), model.Counted().Range[0], model.Counted().Range[1],
+    remark.c_str());
+  if (model.DrawsSurfaces() && options.Isovalues.empty())
   {
-    std::printf("%s\n", Printable(remark).c_str());
+    std::printf("Isovalue: %g (chosen from the histogram)\n", *model.State().Isovalue);
   }
+  const std::string written = WritePictures(model, options);
+  std::printf("%s\nTime: %.1f s\n", written.c_str(), vtkTimerLog::GetUniversalTime() - begin);
 }
 
 }
@@ -90,21 +173,15 @@ void Run(const Options& options)
 int main(int argc, char* argv[])
 {
   BeginTrials();
-  return RunProgram(Name,
+  return RunProgram("temporal-coherence",
     [&]
     {
       const Options options = ParseOptions(argc, argv);
       if (options.Help)
       {
         std::fputs(HelpText().c_str(), stdout);
+        return;
       }
-      else if (options.WantsVersion)
-      {
-        std::printf("%s %s\n", Name, COMMAND_VERSION);
-      }
-      else
-      {
-        Run(options);
-      }
+      Run(options);
     });
 }

@@ -47,12 +47,8 @@ std::string HelpText()
 
 usage: OrbitAndSweep [VOLUME [ISOVALUE]] [OPTIONS]
 
-VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk and
-the parallel .pvti .pvtu .pvts .pvtr; Exodus .ex2 .exo .e, .cgns and PLOT3D .xyz, xyz.bin where VTK
-reads them), a directory with a series of DICOM files, or, with --raw, a file of bare samples. Without
-VOLUME four spheres are generated.
-ISOVALUE is chosen from the volume's histogram if it is not given.
-
+)") +
+    VolumeHelp + R"(
 Pictures are written for an orbit (2 degrees a frame), a sweep of the isovalue in a still view, a
 change of colour and a repeated picture, with a table of what each took. To look around in a window,
 see Examples/Explorer.
@@ -60,8 +56,8 @@ see Examples/Explorer.
   --size WxH | N         pixels of a picture, width x height or a square's side; default 1024
   --frames N             frames of the orbit; default 30
   --output DIR           where the pictures go; default ./pictures
-)") +
-    CommonOptionsHelp + R"(  --quick                small pictures, few frames
+)" + CommonOptionsHelp +
+    R"(  --quick                small pictures, few frames
   --help                 show this text
 )";
 }

@@ -4,7 +4,6 @@
 
 #include "Options.h"
 #include "Pictures.h"
-#include "Program/Terminal.h"
 #include "Program/UserError.h"
 #include "Scene.h"
 #include "View/Isovalue.h"
@@ -19,10 +18,25 @@
 #include <iomanip>
 #include <sstream>
 
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
 namespace
 {
 
 constexpr double DegreesPerFrame = 2.0;
+
+bool IsTerminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stdout)) != 0;
+#else
+  return isatty(STDOUT_FILENO) != 0;
+#endif
+}
 
 // One line that changes in place on a terminal; elsewhere one line for each part of the tour.
 class Progress
@@ -40,7 +54,7 @@ public:
   }
 
 private:
-  bool InPlace = IsTerminal(stdout);
+  bool InPlace = IsTerminal();
 };
 
 class Tour

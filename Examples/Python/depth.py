@@ -78,9 +78,10 @@ def main() -> None:
     picture = render(surface, renderer, given.size)  # its light is final
     try:
         write_png(given.output, picture.color)
-    except OSError as error:
+    except (OSError, ValueError) as error:  # ValueError: it does not end with .png
+        reason = getattr(error, "strerror", None) or "it does not end with .png"
         raise UserError(
-            f"{quoted(given.output)} cannot be written ({error.strerror}): choose another "
+            f"{quoted(given.output)} cannot be written ({reason}): choose another "
             f"--output.") from error
     print(f"saved as {printable(given.output)}")
 

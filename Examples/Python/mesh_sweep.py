@@ -156,9 +156,10 @@ def main() -> None:
         print(f"{frame:5}  {isovalue:8.6g}  {route:14}  {taken:5.1f}  {extracted:19.1f}  {count:9}")
     try:
         write_png(given.output, picture.color)
-    except OSError as error:
+    except (OSError, ValueError) as error:  # ValueError: it does not end with .png
+        reason = getattr(error, "strerror", None) or "it does not end with .png"
         raise UserError(
-            f"{quoted(given.output)} cannot be written ({error.strerror}): choose another --output."
+            f"{quoted(given.output)} cannot be written ({reason}): choose another --output."
         ) from error
     for route, taken in milliseconds.items():
         print(f"{route:14}  {len(taken):4} frames, median {statistics.median(taken):6.1f} ms")

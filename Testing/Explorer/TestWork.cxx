@@ -178,7 +178,12 @@ void ExplorerTests::PicturesAndFilmsAreFinal()
   const CameraState camera = this->Bench->Data.View.Camera();
   for (const auto motion : { Workbench::TurnAround, Workbench::Sweep })
   {
-    this->Bench->MakeFilm(motion, 2, Width / 4, Height / 4);
+    Workbench::FilmOptions options;
+    options.Motion = motion;
+    options.Frames = 2;
+    options.Width = Width / 4;
+    options.Height = Height / 4;
+    this->Bench->MakeFilm(options);
     QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
     QVERIFY2(
       said.last()[0].toString().startsWith("Recorded 2"), said.last()[0].toString().toUtf8());

@@ -21,7 +21,7 @@ import time
 import unicodedata
 
 from mutations import Mutator
-from originals import MESHES, ORIGINALS, Original
+from originals import NOT_OF_PYTHON, ORIGINALS, Original
 
 MOST_GROWTH = 1.5  # of memory, beside the whole file
 MOST_KIB = 256 * 1024  # and beyond that
@@ -138,7 +138,7 @@ class Campaign:
             wrong = what_is_wrong(status, said, [original.main, "--raw takes"] if original.layout else names)
             if number == 0:
                 self._needed[kind, way] = memory
-                may_refuse = "grid" in kind or (way == "python" and kind in MESHES) or "built without" in said
+                may_refuse = "grid" in kind or (way == "python" and kind in NOT_OF_PYTHON) or "built without" in said
                 wrong = wrong or ("the whole file is refused" if status and not may_refuse else "")
             # GDCM makes room for what an element says to hold, within what the trial allows.
             elif memory > self._needed.get((kind, way), 0) * MOST_GROWTH + MOST_KIB * (

@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from typing import Callable
 
 import meshes
+import pictures
 
 SIZE = (9, 8, 7)
 Twist = Callable[[object], object]
@@ -300,6 +301,41 @@ def nifti(zipped: bool, version: int = 1) -> Callable[[Twist], Original]:
     return write
 
 
+# --- NRRD ---------------------------------------------------------------------------------------
+
+def nrrd(detached: bool, encoding: str = "raw", code: str = "<h") -> Callable[[Twist], Original]:
+    def write(twist: Twist) -> Original:
+        t = twist
+        nx, ny, nz = SIZE
+        data = packed(code)
+        if encoding == "gzip":
+            data = zlib.compress(data, wbits=31)
+        elif encoding == "text":
+            data = " ".join(map(str, struct.unpack(f"{code[0]}{nx * ny * nz}{code[1]}", data))).encode()
+        text = f"""NRRD0004
+# a ball
+type: {"short" if code[1] == "h" else "float"}
+dimension: {t(3)}
+space: left-posterior-superior
+sizes: {t(nx)} {t(ny)} {t(nz)}
+space directions: ({t(1)},{t(0)},{t(0)}) ({t(0)},{t(0.5)},{t(0)}) ({t(0)},{t(0)},{t(2)})
+kinds: domain domain domain
+endian: {"big" if code[0] == ">" else "little"}
+encoding: {encoding}
+space origin: ({t(1.5)},{t(0)},{t(-2)})
+key:=value
+""" + (f"byte skip: {t(0)}\ndata file: a.raw\n" if detached else "\n")
+        words = [
+            b"raw", b"gzip", b"text", b"hex", b"bzip2", b"uchar", b"double", b"block", b"int64", b"LIST", b"LIST 2",
+            b"a%02d.raw 1 3 1", b"a.raw", b"a.nhdr", b"/dev/zero", b".", b"none", b"nan", b"list", b"time", b"vector",
+            b"RGB-color", b"space", b"spacings", b"sizes", b"dimension", b"line skip", b"byte skip", b"-1", b"LAS",
+            b"3D-left-handed", b"endian", b"little", b"big", b"data file", b"kinds"]
+        if detached:
+            return Original("a.nhdr", {"a.nhdr": text.encode(), "a.raw": data}, words=words)
+        return Original("a.nrrd", {"a.nrrd": text.encode() + data}, words=words)
+    return write
+
+
 # --- SLC ----------------------------------------------------------------------------------------
 
 def slc(compressed: bool) -> Callable[[Twist], Original]:
@@ -432,6 +468,61 @@ def meshes_of(main: str, make: Callable[[Twist], dict[str, bytes]]) -> Callable[
         b"amr_box", b"file", b"Source", b"XY", b"vtkHierarchicalBoxDataSet", b"refinement_ratio"])
 
 
+# --- Stacks of pictures -------------------------------------------------------------------------
+
+def slices(code: str) -> list[bytes]:
+    data = packed(code)
+    size = len(data) // SIZE[2]
+    return [data[at:at + size] for at in range(0, len(data), size)]
+
+
+def tiff_pages(**how) -> Callable[[Twist], Original]:
+    def write(twist: Twist) -> Original:
+        order = how.get("order", "<")
+        return Original("a.tif", {"a.tif": pictures.tiff(slices(order + "H"), SIZE[0], SIZE[1], twist, tags={
+            282: (pictures.RATIO, 2.0), 283: (pictures.RATIO, 2.0), 296: (pictures.SHORT, twist(1)),
+            270: (pictures.TEXT, f"ImageJ=1.5\nimages={twist(7)}\nspacing={twist(2)}\n".encode())}, **how)}, words=[
+                b"II*\0", b"MM\0*", b"ImageJ", b"images=", b"spacing="])
+    return write
+
+
+def numbered(suffix: str, in_folder: bool = False) -> Callable[[Twist], Original]:
+    """Numbers without zeros before them, from 4 to 10."""
+    def write(twist: Twist) -> Original:
+        nx, ny, _ = SIZE
+        files = {f"s{k + 4}.{suffix}": pictures.png(data, nx, ny, twist) if suffix == "png" else pictures.tiff(
+            [data], nx, ny, twist, 8) for k, data in enumerate(slices("<B"))}
+        return Original("" if in_folder else f"s10.{suffix}", files, words=[b"IHDR", b"IDAT", b"IEND", b"II*\0"])
+    return write
+
+
+# --- Lists of time steps ------------------------------------------------------------------------
+
+def series(suffix: str, part: str) -> Callable[[Twist], Original]:
+    """The last one of the list is the first time."""
+    def write(twist: Twist) -> Original:
+        t = twist
+        data = meshes.vtu(t) if part == "vtu" else meta(True)(t).files["a.mha"]
+        files = {f"{k}.{part}": data for k in range(3)}
+        if suffix == "pvd":
+            sets = "".join(f'<DataSet timestep="{t(9 - k)}" group="" part="{t(0)}" file="{name}"/>\n'
+                           for k, name in enumerate(files))
+            text = f"""<?xml version="1.0"?>
+<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">
+<Collection>
+{sets}</Collection>
+</VTKFile>
+"""
+        else:
+            sets = ", ".join(f'{{"name": "{name}", "time": {t(9 - k)}}}' for k, name in enumerate(files))
+            text = f'{{"file-series-version": "1.0", "files": [{sets}]}}\n'
+        files["a." + suffix] = text.encode()
+        return Original("a." + suffix, files, words=[
+            b"Collection", b"DataSet", b"timestep", b"file", b"name", b"time", b"files", b"0." + part.encode(),
+            b"a." + suffix.encode(), b".", b"/dev/zero", b"null", b"true", b"[", b"]", b"{", b"}", b"/*", b"<!--"])
+    return write
+
+
 # --- Others -------------------------------------------------------------------------------------
 
 def raw(twist: Twist) -> Original:
@@ -485,7 +576,10 @@ def npy(twist: Twist) -> Original:
 
 
 #: What the examples in Python do not open.
-MESHES = ("vtu", "vts", "vts-vectors", "vts-cell-vectors", "vtk-mesh", "vtm", "pvtu", "vthb")
+NOT_OF_PYTHON = (
+    "vtu", "vts", "vts-vectors", "vts-cell-vectors", "vtk-mesh", "vtm", "pvtu", "vthb", "nrrd", "nrrd-gzip", "nrrd-text",
+    "nhdr", "nhdr-gzip", "tiff-pages", "tiff-pages-zlib", "tiff-pages-tiles", "tiff-slices", "png-slices", "png-folder",
+    "pvd", "series")
 
 ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "vti-ascii": vti("ascii"),
@@ -512,6 +606,19 @@ ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "nii": nifti(False),
     "nii-2": nifti(False, 2),
     "nii-gz": nifti(True),
+    "nrrd": nrrd(False),
+    "nrrd-gzip": nrrd(False, "gzip", ">h"),
+    "nrrd-text": nrrd(False, "text"),
+    "nhdr": nrrd(True, "raw", ">f"),
+    "nhdr-gzip": nrrd(True, "gzip"),
+    "tiff-pages": tiff_pages(),
+    "tiff-pages-zlib": tiff_pages(order=">", compress=True),
+    "tiff-pages-tiles": tiff_pages(tile=16),
+    "tiff-slices": numbered("tif"),
+    "png-slices": numbered("png"),
+    "png-folder": numbered("png", True),
+    "pvd": series("pvd", "vtu"),
+    "series": series("series", "mha"),
     "slc": slc(False),
     "slc-runs": slc(True),
     "dicom": dicom(),

@@ -3,12 +3,14 @@
 #include "Files/FileCheck.h"
 
 #include "Files/Reading.h"
+#include "Files/StackFiles.h"
 #include "Program/Quoted.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <vector>
+#include <set>
+#include <sstream>
 
 namespace
 {
@@ -23,8 +25,9 @@ struct Inflation
   double Most;
 };
 constexpr Inflation Inflations[] = { { ".gz", 1032.0 }, { ".mha", 1032.0 }, { ".mhd", 1032.0 },
-  { ".cgns", 1032.0 }, { ".ex2", 1032.0 }, { ".exo", 1032.0 }, { ".e", 1032.0 }, { ".slc", 127.0 },
-  { ".vtk", 1.0 }, { ".nii", 1.0 }, { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1032.0 } };
+  { ".png", 1032.0 }, { ".nrrd", 1032.0 }, { ".nhdr", 1032.0 }, { ".cgns", 1032.0 },
+  { ".ex2", 1032.0 }, { ".exo", 1032.0 }, { ".e", 1032.0 }, { ".slc", 127.0 }, { ".vtk", 1.0 },
+  { ".nii", 1.0 }, { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1032.0 } };
 constexpr double InflationOfXml = 8192.0;
 
 constexpr double Wider = 8.0;                   // bytes of a number that a digit of text becomes
@@ -55,20 +58,31 @@ double BytesOfFolder(const fs::path& folder)
   return sum;
 }
 
-// Words of a text that may be names of files.
-std::vector<std::string> WordsOf(const std::string& text)
+// What may be names of files in a text: words, and the ends of lines, where names may have spaces.
+std::set<std::string> NamesIn(const std::string& text)
 {
-  std::vector<std::string> words;
+  constexpr std::size_t Longest = 1024;
+  std::set<std::string> names;
   for (std::size_t at = 0; at < text.size();)
   {
     const std::size_t end = std::min(text.find_first_of("\"'=<> \t\r\n", at), text.size());
-    if (end > at && end - at < 1024)
+    if (end > at && end - at < Longest)
     {
-      words.push_back(text.substr(at, end - at));
+      names.insert(text.substr(at, end - at));
     }
     at = end + 1;
   }
-  return words;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);)
+  {
+    const std::size_t colon = line.find(": "), begin = colon == std::string::npos ? 0 : colon + 2;
+    const std::size_t end = line.find_last_not_of(" \t\r") + 1;
+    if (begin < end && end - begin < Longest)
+    {
+      names.insert(line.substr(begin, end - begin));
+    }
+  }
+  return names;
 }
 
 double BytesWithParts(const std::string& path)
@@ -80,9 +94,19 @@ double BytesWithParts(const std::string& path)
     return BytesOfFolder(path);
   }
   const std::string name = LowerCase(path);
-  const bool isOfList = EndsWith(name, ".mhd") || EndsWith(name, ".vtm") ||
-    EndsWith(name, ".vtmb") || EndsWith(name, ".vth") || EndsWith(name, ".vthb") ||
-    name.find(".pvt") != std::string::npos;
+  const bool isOfList = EndsWith(name, ".mhd") || EndsWith(name, ".nhdr") ||
+    EndsWith(name, ".nrrd") || EndsWith(name, ".vtm") || EndsWith(name, ".vtmb") ||
+    EndsWith(name, ".vth") || EndsWith(name, ".vthb") || name.find(".pvt") != std::string::npos;
+  if (IsPictureName(path))
+  {
+    double sum = 0.0;
+    for (const std::string& slice : StackFilesOf(path).Paths)
+    {
+      const std::uintmax_t size = fs::file_size(slice, error);
+      sum += error ? 0.0 : static_cast<double>(size);
+    }
+    return sum;
+  }
   double sum = static_cast<double>(SizeOf(path));
   if (EndsWith(name, "xyz") || EndsWith(name, "xyz.bin"))
   {
@@ -90,8 +114,11 @@ double BytesWithParts(const std::string& path)
   }
   if (isOfList)
   {
-    const std::string text = BytesOf(path, MostOfList);
-    for (const std::string& word : WordsOf(text))
+    std::string text = BytesOf(path, MostOfList);
+    const bool hasSamples = EndsWith(name, ".nrrd"); // after an empty line
+    text.resize(std::min({ text.size(), hasSamples ? text.find("\n\n") : text.size(),
+      hasSamples ? text.find("\r\n\r\n") : text.size() }));
+    for (const std::string& word : NamesIn(text))
     {
       // A pattern of names stands for several.
       sum += word.find('%') != std::string::npos ? BytesOfFolder(folder) : 0.0;

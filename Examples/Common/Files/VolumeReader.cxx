@@ -7,8 +7,12 @@
 #include "Files/FourSpheres.h"
 #include "Files/MedicalReader.h"
 #include "Files/MeshReader.h"
+#include "Files/NrrdReader.h"
 #include "Files/PlaceCheck.h"
 #include "Files/Reading.h"
+#include "Files/SeriesFile.h"
+#include "Files/StackFiles.h"
+#include "Files/StackReader.h"
 #include "Files/Trial.h"
 #include "Files/WholeCheck.h"
 #include "Program/Quoted.h"
@@ -19,6 +23,7 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkImageReader2.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSLCReader.h>
@@ -40,8 +45,8 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 7> KnownSuffixes = { ".vti", ".vtk", ".mhd", ".mha", ".nii",
-  ".nii.gz", ".slc" };
+constexpr std::array<const char*, 9> KnownSuffixes = { ".vti", ".vtk", ".mhd", ".mha", ".nii",
+  ".nii.gz", ".nrrd", ".nhdr", ".slc" };
 
 std::string ListOfSuffixes()
 {
@@ -50,7 +55,7 @@ std::string ListOfSuffixes()
   {
     list += std::string(list.empty() ? "" : ", ") + suffix;
   }
-  return list + ", " + ListOfMeshSuffixes();
+  return list + ", " + ListOfMeshSuffixes() + ", .pvd, .series, .tif, .tiff, .png";
 }
 
 bool IsImageFile(const std::string& legacyPath)
@@ -140,6 +145,14 @@ Volume ReadFile(const VolumeSource& source, const ReadingProgress& progress)
   else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
     ReadNifti(path, source.TimeStep, progress, volume);
+  }
+  else if (EndsWith(name, ".nrrd") || EndsWith(name, ".nhdr"))
+  {
+    ReadNrrd(path, source.TimeStep, progress, volume);
+  }
+  else if (IsPictureName(path))
+  {
+    ReadStack(path, progress, volume);
   }
   else if (EndsWith(name, ".slc"))
   {
@@ -238,7 +251,7 @@ void CheckPlace(vtkImageData* image, vtkMatrix4x4* placement, const std::string&
 bool HasVolumeSuffix(const std::string& path)
 {
   const std::string name = LowerCase(path);
-  return IsMeshName(path) ||
+  return IsMeshName(path) || IsSeriesName(path) || IsPictureName(path) ||
     std::any_of(KnownSuffixes.begin(), KnownSuffixes.end(),
       [&name](const char* suffix) { return EndsWith(name, suffix); });
 }
@@ -264,6 +277,12 @@ void RequireReadable(const std::string& path)
   }
 }
 
+UserError NoTimeStep(const VolumeSource& source, int count)
+{
+  return UserError(Quoted(source.Path) + " has " + std::to_string(count) +
+    " time steps; choose one of these instead of " + std::to_string(source.TimeStep) + ".");
+}
+
 Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
 {
   const Silence silence;
@@ -271,7 +290,11 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   Volume volume;
 
   std::error_code error;
-  if (fs::is_directory(path, error))
+  if (fs::is_directory(path, error) && IsFolderOfPictures(path))
+  {
+    ReadStack(path, progress, volume);
+  }
+  else if (fs::is_directory(path, error))
   {
     ReadDicom(path, progress, volume);
   }
@@ -296,8 +319,7 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   volume.Name = Printable(fs::path(path).filename().string());
   if (source.TimeStep > volume.TimeSteps)
   {
-    throw UserError(Quoted(path) + " has " + std::to_string(volume.TimeSteps) +
-      " time steps; choose one of these instead of " + std::to_string(source.TimeStep) + ".");
+    throw NoTimeStep(source, volume.TimeSteps);
   }
   if (auto* image = vtkImageData::SafeDownCast(volume.Data))
   {
@@ -337,6 +359,75 @@ Volume ReadUntried(const VolumeSource& source, const ReadingProgress& progress)
   }
 }
 
+namespace
+{
+
+// A file that is no list of others: read on trial first.
+Volume ReadOne(const VolumeSource& source, const ReadingProgress& progress)
+{
+  // The trial is told as the first half of reading.
+  double begin = 0.0;
+  const ReadingProgress half = [&](double share)
+  { return !progress || progress(begin + 0.5 * share); };
+  if (const std::optional<Volume> volume = TryReading(source, half))
+  {
+    return *volume;
+  }
+  begin = 0.5;
+  return ReadUntried(source, half);
+}
+
+// The files of one time step of a list, each of which is read as if it were opened.
+Volume ReadSeries(const VolumeSource& source, const ReadingProgress& progress)
+{
+  const std::vector<SeriesStep> steps = ReadSeriesFile(source.Path);
+  const auto count = static_cast<int>(steps.size());
+  if (source.TimeStep > count)
+  {
+    throw NoTimeStep(source, count);
+  }
+  const SeriesStep& step = steps[static_cast<std::size_t>(source.TimeStep - 1)];
+  const double share = 1.0 / static_cast<double>(step.Files.size());
+  std::vector<Volume> parts;
+  for (const std::string& file : step.Files)
+  {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error))
+    {
+      throw UserError(Quoted(source.Path) + " names the file " + Quoted(file) +
+        ", which is not there; put it there, or correct the list.");
+    }
+    VolumeSource part = source;
+    part.Path = file;
+    part.TimeStep = 1;
+    const double begin = share * static_cast<double>(parts.size());
+    parts.push_back(
+      ReadOne(part, [&](double done) { return !progress || progress(begin + share * done); }));
+  }
+  Volume volume = parts.front();
+  if (parts.size() > 1)
+  {
+    const auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    for (const Volume& part : parts)
+    {
+      if (part.Placement)
+      {
+        throw UserError(Quoted(source.Path) +
+          " has several files of one time that lie aslant; name one file for each time.");
+      }
+      blocks->SetBlock(blocks->GetNumberOfBlocks(), part.Data);
+    }
+    volume.Data = blocks;
+    CheckMesh(volume.Data, Quoted(source.Path));
+    ChooseArray(volume, source.Array);
+  }
+  volume.Name = Printable(fs::path(source.Path).filename().string());
+  volume.TimeSteps = count;
+  return volume;
+}
+
+}
+
 Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
 {
   if (source.Path.empty())
@@ -352,14 +443,5 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
   {
     return ReadUntried(source, progress);
   }
-  // The trial is told as the first half of reading.
-  double begin = 0.0;
-  const ReadingProgress half = [&](double share)
-  { return !progress || progress(begin + 0.5 * share); };
-  if (const std::optional<Volume> volume = TryReading(source, half))
-  {
-    return *volume;
-  }
-  begin = 0.5;
-  return ReadUntried(source, half);
+  return IsSeriesName(source.Path) ? ReadSeries(source, progress) : ReadOne(source, progress);
 }

@@ -41,8 +41,7 @@ vtkSmartPointer<vtkImageData> SamplesOf(const Volume& volume, int component, vtk
 {
   vtkImageData* const image = vtkImageData::SafeDownCast(volume.Data);
   const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
-  if (!image || component < 0 || volume.Array.IsOnCells || arrays.size() != 1 ||
-    image->GetPointData()->HasArray(arrays[0]->GetName()) == 0)
+  if (!image || component < 0 || volume.Array.IsOnCells || arrays.size() != 1)
   {
     return nullptr;
   }
@@ -114,7 +113,7 @@ Annotations::Annotations(vtkRenderer* renderer)
   this->ColorBar->SetNumberOfLabels(5);
   this->ColorBar->SetLabelFormat("%.4g");
   this->ColorBar->UnconstrainedFontSizeOn();
-  this->ColorBar->SetPosition(0.9, 0.15);
+  this->ColorBar->SetPosition(0.84, 0.15);
   this->ColorBar->SetWidth(0.07);
   this->ColorBar->SetHeight(0.7);
   for (vtkProp* prop :

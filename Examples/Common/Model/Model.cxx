@@ -374,7 +374,7 @@ std::vector<Marker> Model::NodesOf(const char* preset) const
     offset = ValueBelow(this->Samples, BelowBlack, true);
     scale = std::max(ValueBelow(this->Samples, 0.995, true) - offset, 1e-6 * (range[1] - range[0]));
   }
-  else if (!this->HasHounsfieldUnits())
+  else if (range[0] > -200.0)
   {
     const bool isStored = range[1] - range[0] > 1000.0;
     scale = isStored ? 1.0 : (range[1] - range[0]) / (MostOfScans - LeastOfScans);

@@ -50,10 +50,6 @@ public:
   void SetSettings(const Look& look, bool isShown = true);
   void Apply() { this->View.Apply(this->Current.Settings); }
 
-  // As the values of a scan by X-rays have them: air is far below 0. Else presets of Hounsfield
-  // units are fitted to the values.
-  bool HasHounsfieldUnits() const { return this->Samples.Range[0] <= -200.0; }
-
   // False if it has no effect on what is shown.
   bool Offers(const Setting& row) const { return !row.For || (this->*row.For)(); }
   std::array<double, 2> RangeOf(const Setting& number) const;

@@ -2,17 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Model/Recorder.h"
 
+#include "Program/Quoted.h"
+#include "Program/Silence.h"
+#include "Program/UserError.h"
 #include "View/Picture.h"
 
 #include <cstdio>
-#include <filesystem>
+#include <utility>
+
+#ifdef EXAMPLES_HAVE_THEORA
+#include <vtkOggTheoraWriter.h>
+#endif
 
 namespace
 {
 
 namespace fs = std::filesystem;
 
-constexpr int Rate = 25; // pictures a second
 const char* const Remedy = "name another directory with --output";
 
 std::string Numbered(const std::string& before, int number, const std::string& after)
@@ -53,24 +59,66 @@ std::string Recorder::Save(vtkImageData* picture)
   return path;
 }
 
-void Recorder::Start(const std::string& format)
+void Recorder::Start(const std::string& format, const std::string& path, [[maybe_unused]] int rate)
 {
-  const std::string end = format == "png" ? "" : ".ogv";
-  this->Target.emplace(FirstFree(this->Directory, "recording-", end), Rate, Remedy);
-  this->IsOn = true;
+  this->Frames = 0;
+  if (format == "png")
+  {
+    this->Target = path.empty() ? FirstFree(this->Directory, "recording-", "") : fs::path(path);
+    std::error_code error;
+    fs::create_directories(this->Target, error);
+    return;
+  }
+#ifdef EXAMPLES_HAVE_THEORA
+  this->Target = path.empty() ? FirstFree(this->Directory, "recording-", ".ogv") : fs::path(path);
+  const auto film = vtkSmartPointer<vtkOggTheoraWriter>::New();
+  film->SetQuality(2);
+  film->SetRate(rate);
+  film->SetFileName(this->Target.string().c_str());
+  this->Film = film;
+#else
+  throw UserError("This VTK cannot write Ogg Theora films; choose png for Recording instead.");
+#endif
 }
 
 void Recorder::Add(vtkImageData* picture)
 {
-  this->IsOn = false; // a recording that fails ends
-  this->Target->Add(picture);
-  this->IsOn = true;
+  const fs::path target = std::exchange(this->Target, {}); // a recording that fails ends
+  ++this->Frames;
+  if (!this->Film)
+  {
+    WritePng(picture, (target / Numbered("frame-", this->Frames, ".png")).string(), Remedy);
+  }
+#ifdef EXAMPLES_HAVE_THEORA
+  if (auto* film = vtkOggTheoraWriter::SafeDownCast(this->Film))
+  {
+    const Silence silence;
+    film->SetInputData(picture);
+    if (this->Frames == 1)
+    {
+      film->Start();
+    }
+    film->Write();
+    if (film->GetError() != 0 || silence.HeardErrors())
+    {
+      throw UserError("The film " + Quoted(target.string()) +
+        " could not be written; make room, or " + Remedy + ".");
+    }
+  }
+#endif
+  this->Target = target;
 }
 
 std::string Recorder::Stop()
 {
-  this->IsOn = false;
-  this->Target->End();
-  return "Recorded " + std::to_string(this->Target->NumberOfPictures()) +
-    " frames: " + this->Target->Path().string();
+#ifdef EXAMPLES_HAVE_THEORA
+  if (this->Film && this->Frames > 0)
+  {
+    const Silence silence;
+    vtkOggTheoraWriter::SafeDownCast(this->Film)->End();
+  }
+#endif
+  this->Film = nullptr;
+  return "Recorded " + std::to_string(this->Frames) +
+    " frames: " + std::exchange(this->Target, {}).string();
 }

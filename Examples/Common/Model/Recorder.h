@@ -3,11 +3,11 @@
 #ifndef Recorder_h
 #define Recorder_h
 
-#include "Model/Film.h"
-
+#include <vtkAlgorithm.h>
 #include <vtkImageData.h>
+#include <vtkSmartPointer.h>
 
-#include <optional>
+#include <filesystem>
 #include <string>
 
 // Keeps pictures: single ones, and one after another as a recording. Names are counted up, so that
@@ -20,9 +20,10 @@ public:
   std::string NextPath() const;            // of a single picture
   std::string Save(vtkImageData* picture); // there; where it is
 
-  // As "png", a directory of numbered pictures, or as "ogv", a film.
-  void Start(const std::string& format);
-  bool IsRecording() const { return this->IsOn; }
+  // As "png", a directory of numbered pictures, or as "ogv", a film of so many frames a second.
+  // Without a path it is counted up.
+  void Start(const std::string& format, const std::string& path = "", int rate = 25);
+  bool IsRecording() const { return !this->Target.empty(); }
   void Add(vtkImageData* picture);
 
   // How many pictures are where.
@@ -31,8 +32,9 @@ public:
   const std::string Directory;
 
 private:
-  std::optional<Film> Target; // of the recording, or of the last one
-  bool IsOn = false;
+  std::filesystem::path Target;
+  vtkSmartPointer<vtkAlgorithm> Film; // null: pictures
+  int Frames = 0;
 };
 
 #endif

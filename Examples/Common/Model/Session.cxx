@@ -336,9 +336,11 @@ Session ReadSession(const std::string& path)
         " cannot be understood: " + Quoted(line) + "; correct it or take it out.");
     }
   }
-  if (!session.Source.Path.empty())
+  if (std::string& volume = session.Source.Path; !volume.empty())
   {
-    session.Source.Path = (DirectoryOf(path) / session.Source.Path).lexically_normal().string();
+    // People write sessions that begin where the program runs.
+    const fs::path beside = (DirectoryOf(path) / volume).lexically_normal();
+    volume = fs::exists(beside, error) || !fs::exists(volume, error) ? beside.string() : volume;
   }
   if (!session.Isovalue && !session.Settings.Surfaces.empty())
   {

@@ -136,6 +136,13 @@ std::size_t Setting::Place() const
   return static_cast<std::size_t>(this - AllSettings().data());
 }
 
+Rgb ContrastOf(std::size_t surface)
+{
+  constexpr std::array<Rgb, 4> contrasts = { { { 0.96, 0.90, 0.72 }, { 0.36, 0.66, 0.92 },
+    { 0.92, 0.42, 0.36 }, { 0.48, 0.80, 0.50 } } };
+  return contrasts[(surface + contrasts.size() - 1) % contrasts.size()];
+}
+
 Look::Look()
 {
   std::transform(AllSettings().begin(), AllSettings().begin() + Row::Count, this->Values.begin(),

@@ -70,6 +70,11 @@ struct Marker
   std::optional<Rgb> Color = {}; // none: the palette's
 };
 
+constexpr double SeeThrough = 0.35; // opacity of a surface around another
+
+// The colour of a surface beside others, from the second on.
+Rgb ContrastOf(std::size_t surface);
+
 struct Plane // in the world; what the normal points to is seen
 {
   Point Origin = {};

@@ -14,6 +14,7 @@
 #include <vtkCommand.h>
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
+#include <vtkImageShrink3D.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPiecewiseFunction.h>
@@ -300,11 +301,18 @@ double VolumeView::LongestEdge() const
 
 void VolumeView::LookFrom(const std::string& from, const std::string& up)
 {
-  const Viewpoint around(this->Renderer, this->Actor->GetBounds(), from, up);
-  around.PlaceCamera(this->Renderer, 0.0);
+  const double* bounds = this->Actor->GetBounds();
+  Viewpoint(this->Renderer, bounds, from, up).PlaceCamera(this->Renderer, 0.0);
   // As large as it can be as it lies there; a little smaller, so that it may be turned.
-  const double share = around.ShareOfView(this->Renderer, this->Renderer->GetTiledAspectRatio());
-  this->Renderer->GetActiveCamera()->Zoom(std::clamp(ShareFilled / share, 0.3, 3.0));
+  double widest = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double x = bounds[corner & 1], y = bounds[2 + ((corner >> 1) & 1)],
+           z = bounds[4 + ((corner >> 2) & 1)];
+    this->Renderer->WorldToView(x, y, z);
+    widest = std::max({ widest, std::abs(x), std::abs(y) });
+  }
+  this->Renderer->GetActiveCamera()->Zoom(std::clamp(ShareFilled / widest, 0.3, 3.0));
 }
 
 CameraState VolumeView::Camera() const
@@ -363,15 +371,17 @@ vtkSmartPointer<vtkImageData> VolumeView::LastFrame()
   {
     throw UserError("There is no picture yet; open a volume first.");
   }
-  return this->Finished(frame, true);
+  return this->Finished(frame.Get(), true, 1);
 }
 
 vtkSmartPointer<vtkImageData> VolumeView::Picture(
-  int width, int height, const Progress& progress, bool hasBackground)
+  int width, int height, const Progress& progress, bool hasBackground, int raysOfSide)
 {
   vtkNew<vtkImageData> frame;
   this->Renderer->ResetCameraClippingRange();
   const Watched watch(this->Mapper, vtkCommand::VolumeMapperRenderProgressEvent, progress);
+  width *= raysOfSide;
+  height *= raysOfSide;
   // Without annotations, depths would only take memory.
   const bool isMade = this->Beside.HasAny()
     ? this->Mapper->MakeImage(this->Renderer, this->Actor, width, height, frame)
@@ -381,11 +391,12 @@ vtkSmartPointer<vtkImageData> VolumeView::Picture(
     throw UserError(watch.IsStopped ? "The picture was stopped, and is not saved."
                                     : "The picture could not be made; choose a smaller size.");
   }
-  return this->Finished(frame, hasBackground);
+  return this->Finished(frame.Get(), hasBackground, raysOfSide);
 }
 
 // With annotations, as large as they are in the view.
-vtkSmartPointer<vtkImageData> VolumeView::Finished(vtkImageData* frame, bool hasBackground)
+vtkSmartPointer<vtkImageData> VolumeView::Finished(
+  vtkSmartPointer<vtkImageData> frame, bool hasBackground, int raysOfSide)
 {
   if (this->Beside.HasAny())
   {
@@ -398,8 +409,18 @@ vtkSmartPointer<vtkImageData> VolumeView::Finished(vtkImageData* frame, bool has
     annotations.Show(this->Shown, this->Component, this->Bounds);
     annotations.Apply(this->Applied, this->Actor->GetProperty()->GetRGBTransferFunction());
     annotations.ShowRulerOf(this->Beside);
+    renderer->SetBackground(0.0, 0.0, 0.0); // adds nothing to the picture
     const int* const size = this->Renderer->GetSize();
     annotations.DrawOver(frame, size[1] > 0 ? 1.0 * frame->GetDimensions()[1] / size[1] : 1.0);
+  }
+  if (raysOfSide > 1)
+  {
+    vtkNew<vtkImageShrink3D> mean;
+    mean->SetInputData(frame);
+    mean->SetShrinkFactors(raysOfSide, raysOfSide, 1);
+    mean->AveragingOn();
+    mean->Update();
+    frame = mean->GetOutput();
   }
   const auto& ground = Backgrounds[static_cast<std::size_t>(this->Applied.Choice(Row::Background))];
   return hasBackground ? OnBackground(frame, ground, ground) : WithoutBackground(frame);

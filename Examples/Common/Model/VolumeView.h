@@ -51,11 +51,12 @@ public:
   bool BuildIsomap(const Progress& progress);
 
   // The view as it was drawn last, or final and with so many pixels, in any thread. Without a
-  // background, a picture has an alpha. Both throw UserError.
+  // background, a picture has an alpha. With several rays along each side of a pixel, it is their
+  // mean. Both throw UserError.
   vtkSmartPointer<vtkImageData> LastFrame();
   vtkSmartPointer<vtkImageData> Picture(
     int width, int height, const Progress& progress = [](double) { return true; },
-    bool hasBackground = true);
+    bool hasBackground = true, int raysOfSide = 1);
 
   // What is seen at a pixel of the view, from its lower left corner.
   struct Seen
@@ -86,7 +87,8 @@ private:
   void SetMarkers(const std::vector<Marker>& markers);
   void SetGreys(const std::vector<Marker>& ends);
   std::optional<Seen> CutAt(int x, int y);
-  vtkSmartPointer<vtkImageData> Finished(vtkImageData* frame, bool hasBackground);
+  vtkSmartPointer<vtkImageData> Finished(
+    vtkSmartPointer<vtkImageData> frame, bool hasBackground, int raysOfSide);
   double LongestEdge() const;
 
   vtkNew<vtkVolume> Actor;

@@ -245,6 +245,15 @@ void CommandLine::Parse(const std::vector<std::string>& arguments)
   }
 }
 
+const char* const VolumeHelp =
+  R"(VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .nrrd .nhdr .slc), a stack of slices (.tif .png:
+pages of a file, or files with numbers), a grid (.vtu .vts .vtr .vtm .vth .vtk and the parallel .pvti
+.pvtu .pvts .pvtr; Exodus .ex2 .exo .e, .cgns and PLOT3D .xyz, xyz.bin where VTK reads them), a list
+of time steps (.pvd .series), a directory with a series of DICOM files or of pictures, or, with --raw,
+a file of bare samples. Without VOLUME four spheres are generated.
+ISOVALUE is chosen from the volume's histogram if it is not given.
+)";
+
 const char* const CommonOptionsHelp =
   R"(  --isovalue V           as ISOVALUE
   --threshold            solid where the value is at least the isovalue, capped where the volume

@@ -56,7 +56,8 @@ std::string RawAsText(const RawLayout& layout);
 // The whole text as a finite number.
 bool IsNumber(const std::string& text, double& number);
 
-// Lines for --help.
+// Lines for --help: what VOLUME and ISOVALUE may be, and the options of all programs.
+extern const char* const VolumeHelp;
 extern const char* const CommonOptionsHelp;
 
 #endif

@@ -4,7 +4,6 @@
 
 #include <vtkCamera.h>
 #include <vtkMath.h>
-#include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -12,6 +11,9 @@
 
 namespace
 {
+
+// Slightly from above: more of the shape is seen than in a level view.
+constexpr double ElevationDegrees = 6.0;
 
 // ResetCamera fits the sphere around the volume's box; few objects fill its corners.
 constexpr double ZoomBeyondFit = 1.25;
@@ -39,11 +41,10 @@ Viewpoint::Viewpoint(
   camera->Zoom(ZoomBeyondFit);
 }
 
-void Viewpoint::PlaceCamera(
-  vtkRenderer* renderer, double azimuthDegrees, double elevationDegrees) const
+void Viewpoint::PlaceCamera(vtkRenderer* renderer, double azimuthDegrees) const
 {
   const double azimuth = vtkMath::RadiansFromDegrees(azimuthDegrees);
-  const double elevation = vtkMath::RadiansFromDegrees(elevationDegrees);
+  const double elevation = vtkMath::RadiansFromDegrees(ElevationDegrees);
   double side[3];
   vtkMath::Cross(this->Up.data(), this->From.data(), side);
   double position[3];
@@ -58,19 +59,4 @@ void Viewpoint::PlaceCamera(
   camera->SetFocalPoint(this->Middle.data());
   camera->SetViewUp(this->Up.data());
   renderer->ResetCameraClippingRange(this->Bounds.data());
-}
-
-double Viewpoint::ShareOfView(vtkRenderer* renderer, double aspect) const
-{
-  vtkMatrix4x4* const toView =
-    renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, 0.0, 1.0);
-  double share = 0.0;
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    double point[4] = { this->Bounds[corner & 1], this->Bounds[2 + ((corner >> 1) & 1)],
-      this->Bounds[4 + ((corner >> 2) & 1)], 1.0 };
-    toView->MultiplyPoint(point, point);
-    share = std::max({ share, std::abs(point[0] / point[3]), std::abs(point[1] / point[3]) });
-  }
-  return share;
 }

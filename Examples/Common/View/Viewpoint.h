@@ -8,9 +8,6 @@
 
 class vtkRenderer;
 
-// Slightly from above: more of the shape is seen than in a level view.
-constexpr double UsualElevation = 6.0; // degrees
-
 // Places around a volume from which all of it is seen.
 class Viewpoint
 {
@@ -22,15 +19,8 @@ public:
   Viewpoint(
     vtkRenderer* renderer, const double bounds[6], const std::string& from, const std::string& up);
 
-  // Walk around the volume: an azimuth of 0 degrees is where `from` said. The elevation is less
-  // than 90 degrees up or down.
-  void PlaceCamera(
-    vtkRenderer* renderer, double azimuthDegrees, double elevationDegrees = UsualElevation) const;
-
-  // How much of the half width or height of a picture the bounds take, seen from where the camera
-  // is: 1 fills it.
-  // \param aspect width of the picture by its height
-  double ShareOfView(vtkRenderer* renderer, double aspect) const;
+  // Walk around the volume: 0 degrees is where `from` said.
+  void PlaceCamera(vtkRenderer* renderer, double azimuthDegrees) const;
 
 private:
   std::array<double, 6> Bounds = {};

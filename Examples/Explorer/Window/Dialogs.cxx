@@ -140,10 +140,25 @@ void AskFilm(QMainWindow& window, Workbench& bench)
   }
   dialog.Rows->addRow(QObject::tr("Motion"), motion);
   const QSpinBox* frames = dialog.AddNumber(QObject::tr("Frames"), 120, 10000);
+  const QSpinBox* rate = dialog.AddNumber(QObject::tr("Frames a second"), 25, 240);
+  auto* format = new QComboBox;
+  const Setting& film = AllSettings()[Row::Film];
+  for (const char* word : film.Words)
+  {
+    format->addItem(word);
+  }
+  format->setCurrentIndex(bench.Data.Settings().Choice(Row::Film));
+  dialog.Rows->addRow(QObject::tr("Format"), format);
   if (dialog.Ask())
   {
-    bench.MakeFilm(static_cast<Workbench::Motion>(motion->currentIndex()), frames->value(),
-      dialog.Width->value(), dialog.Height->value());
+    Workbench::FilmOptions options;
+    options.Motion = static_cast<Workbench::Motion>(motion->currentIndex());
+    options.Frames = frames->value();
+    options.Rate = rate->value();
+    options.Format = format->currentText().toStdString();
+    options.Width = dialog.Width->value();
+    options.Height = dialog.Height->value();
+    bench.MakeFilm(options);
   }
 }
 

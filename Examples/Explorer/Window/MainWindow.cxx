@@ -409,8 +409,7 @@ void MainWindow::MakeStatusBar()
 
 void MainWindow::ShowUnderPointer()
 {
-  if (!this->Bench.Data.IsOpen() || this->Bench.IsBuilding() ||
-    QApplication::mouseButtons() != Qt::NoButton)
+  if (!this->Bench.Data.IsOpen() || this->Bench.IsBuilding())
   {
     return;
   }
@@ -539,7 +538,7 @@ bool MainWindow::eventFilter(QObject*, QEvent* event)
       return true;
     case QEvent::MouseMove:
       this->Pointer = static_cast<QMouseEvent*>(event)->pos();
-      this->Pointing.start();
+      static_cast<QMouseEvent*>(event)->buttons() ? this->Pointing.stop() : this->Pointing.start();
       [[fallthrough]];
     case QEvent::MouseButtonPress:
       // It is drawn no more than its picture is changed.

@@ -57,12 +57,7 @@ void PrintHelp()
 
 usage: Explorer [VOLUME [ISOVALUE] | FILE.session] [OPTIONS]
 
-VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk and
-the parallel .pvti .pvtu .pvts .pvtr; Exodus .ex2 .exo .e, .cgns and PLOT3D .xyz, xyz.bin where VTK
-reads them), a directory with a series of DICOM files, or, with --raw, a file of bare samples. Without
-VOLUME four spheres are generated.
-ISOVALUE is chosen from the volume's histogram if it is not given.
-
+%s
   --session FILE         begin with a session that was saved; save there; default to save:
                          ./explorer.session
   --output DIR           where pictures and recordings go; default: the present directory
@@ -72,7 +67,7 @@ ISOVALUE is chosen from the volume's histogram if it is not given.
 
 Keys:
 )",
-    CommonOptionsHelp);
+    VolumeHelp, CommonOptionsHelp);
   for (const auto& [keys, help] : AllKeys())
   {
     std::printf("  %s  %s\n", keys.c_str(), help.c_str());

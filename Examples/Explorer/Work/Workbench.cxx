@@ -36,11 +36,6 @@ constexpr double RateOfDrags = 20.0;
 constexpr double RateOfStills = 1e-4;
 constexpr double RateOfParts = 19.0;
 
-// Of surfaces that are added to the first.
-constexpr std::array<Rgb, 4> Contrasts = { { { 0.96, 0.90, 0.72 }, { 0.36, 0.66, 0.92 },
-  { 0.92, 0.42, 0.36 }, { 0.48, 0.80, 0.50 } } };
-
-constexpr double OuterOpacity = 0.35;
 constexpr double ZoomOfStep = 1.21; // as VTK's styles have it
 
 class LookChange : public QUndoCommand
@@ -551,14 +546,14 @@ void Workbench::Measure(const QPoint& pixel)
   this->RenderSoon();
 }
 
-void Workbench::MakeFilm(Motion motion, int frames, int width, int height)
+void Workbench::MakeFilm(const FilmOptions& options)
 {
   if (this->IsBusy())
   {
     throw UserError(this->What + ": wait for it, or stop it with Escape.");
   }
   const auto film = std::make_shared<Recorder>(this->Output.Directory);
-  film->Start(this->Data.Settings().TextOf(Row::Film));
+  film->Start(options.Format, "", options.Rate);
   const CameraState camera = this->Data.View.Camera();
   // Of what the thread changes, nothing else is seen: Finish() applies the settings again.
   const auto job = [=, look = this->Data.Settings(), marker = this->Selected()](
@@ -567,18 +562,19 @@ void Workbench::MakeFilm(Motion motion, int frames, int width, int height)
     VolumeView& view = this->Data.View;
     try
     {
-      for (int frame = 0; frame < frames && !this->IsStopped; ++frame)
+      for (int frame = 0; frame < options.Frames && !this->IsStopped; ++frame)
       {
-        if (motion == Sweep)
+        if (options.Motion == Sweep)
         {
-          this->Data.MarkersOf(look)[marker].Value = this->Data.ValueAt((frame + 0.5) / frames);
+          this->Data.MarkersOf(look)[marker].Value =
+            this->Data.ValueAt((frame + 0.5) / options.Frames);
           view.Apply(look);
         }
-        film->Add(view.Picture(
-          width, height, [&](double share) { return progress((frame + share) / frames); }));
-        if (motion == TurnAround)
+        film->Add(view.Picture(options.Width, options.Height,
+          [&](double share) { return progress((frame + share) / options.Frames); }));
+        if (options.Motion == TurnAround)
         {
-          view.Renderer->GetActiveCamera()->Azimuth(360.0 / frames);
+          view.Renderer->GetActiveCamera()->Azimuth(360.0 / options.Frames);
         }
       }
     }
@@ -676,7 +672,7 @@ void Workbench::AddMarker()
   marker.Value = this->Data.ValueAt(share + (share < 0.5 ? 0.2 : -0.2));
   if (this->Data.DrawsSurfaces())
   {
-    marker.Color = Contrasts[(this->Markers().size() - 1) % Contrasts.size()];
+    marker.Color = ContrastOf(this->Markers().size());
     marker.Opacity = 1.0;
   }
   const bool hidesOther = this->Data.DrawsSurfaces() && this->Markers().size() == 1;
@@ -689,7 +685,7 @@ void Workbench::AddMarker()
       {
         std::vector<Marker>& both = look.Surfaces;
         Marker& outer = both[0].Value < both[1].Value ? both[0] : both[1];
-        outer.Opacity = std::min(outer.Opacity, OuterOpacity);
+        outer.Opacity = std::min(outer.Opacity, SeeThrough);
       });
   }
 }

@@ -78,7 +78,15 @@ public:
     TurnAround,
     Sweep // of the selected isovalue
   };
-  void MakeFilm(Motion motion, int frames, int width, int height);
+  struct FilmOptions
+  {
+    Workbench::Motion Motion = TurnAround;
+    int Frames = 120;
+    int Rate = 25;              // frames a second
+    std::string Format = "png"; // or "ogv"
+    int Width = 0, Height = 0;
+  };
+  void MakeFilm(const FilmOptions& options);
   // From the first pixel of the view to the second; the third call ends it.
   void Measure(const QPoint& pixel);
   void ToggleRecording(); // of frames as they are seen

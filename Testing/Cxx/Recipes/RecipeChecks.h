@@ -5,13 +5,13 @@
 #ifndef RecipeChecks_h
 #define RecipeChecks_h
 
+#include <vtkAlgorithm.h>
+#include <vtkImageData.h>
+
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
-
-class vtkAlgorithm;
-class vtkImageData;
 
 struct Recipe
 {

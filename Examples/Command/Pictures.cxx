@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pictures.h"
+
+#include "Files/Reading.h"
+#include "Model/Model.h"
+#include "Model/Recorder.h"
+#include "Options.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
+#include "View/Picture.h"
+
+#include <vtkCamera.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace
+{
+
+const char* const Remedy = "name another file with -o";
+
+// Beside the volume, or where the program runs.
+std::string OutputOf(const Options& options)
+{
+  if (!options.Output.empty())
+  {
+    return options.Output;
+  }
+  const std::filesystem::path volume = options.Source.Path;
+  const std::string stem =
+    volume.has_filename() ? volume.stem().string() : volume.parent_path().filename().string();
+  const bool isFilm = options.Motion != Film::None;
+  return (stem.empty() ? "spheres" : stem) + (isFilm ? "-film" : ".png");
+}
+
+bool IsFilmFile(const std::string& path)
+{
+  return EndsWith(LowerCase(path), ".ogv");
+}
+
+vtkSmartPointer<vtkImageData> Draw(Model& model, const Options& options)
+{
+  return model.View.Picture(
+    options.Width, options.Height, [](double) { return true; },
+    model.Settings().Values[Row::Transparency] == 0.0,
+    static_cast<int>(std::lround(std::sqrt(options.Samples))));
+}
+
+// Whether the last picture shows anything.
+bool IsAnythingSeen(Model& model)
+{
+  vtkNew<vtkImageData> frame;
+  if (!model.View.Mapper->GetLastFrame(frame, vtkTemporalCoherenceVolumeMapper::FRAME_COLOR))
+  {
+    return true; // nothing is known of it
+  }
+  const auto* color = static_cast<const unsigned char*>(frame->GetScalarPointer());
+  for (vtkIdType i = 0; i < frame->GetNumberOfPoints(); ++i)
+  {
+    if (color[4 * i + 3] != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string MakeFilm(Model& model, const Options& options)
+{
+  const std::string path = OutputOf(options);
+  Recorder film("");
+  film.Start(IsFilmFile(path) ? "ogv" : "png", path, options.Rate);
+  for (int frame = 0; frame < options.Frames; ++frame)
+  {
+    if (options.Motion == Film::Sweep)
+    {
+      Look look = model.Settings();
+      look.Surfaces[0].Value = model.ValueAt((frame + 0.5) / options.Frames);
+      model.SetSettings(look);
+    }
+    film.Add(Draw(model, options));
+    if (options.Motion == Film::Turn)
+    {
+      model.View.Renderer->GetActiveCamera()->Azimuth(360.0 / options.Frames);
+    }
+  }
+  return film.Stop();
+}
+
+}
+
+void CheckOutput(const Options& options)
+{
+  const std::string path = OutputOf(options);
+  const bool isFilm = options.Motion != Film::None;
+  if (!isFilm && !EndsWith(LowerCase(path), ".png"))
+  {
+    throw UserError(
+      "A picture is a PNG file; give -o a name that ends with .png, not " + Quoted(path) + ".");
+  }
+  if (isFilm && !IsFilmFile(path) && std::filesystem::path(path).has_extension())
+  {
+    throw UserError("A film is a directory of pictures, or a file that ends with .ogv; " +
+      Quoted(path) + " is neither.");
+  }
+  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
+  if (!directory.empty() && !std::filesystem::is_directory(directory))
+  {
+    throw UserError("There is no directory " + Quoted(directory.string()) + " for " + Quoted(path) +
+      "; make it, or " + Remedy + ".");
+  }
+}
+
+std::string WritePictures(Model& model, const Options& options)
+{
+  if (options.Motion != Film::None)
+  {
+    return MakeFilm(model, options);
+  }
+  const std::string path = OutputOf(options);
+  const auto picture = Draw(model, options);
+  WritePng(picture, path, Remedy);
+  const std::string size =
+    std::to_string(options.Width) + " x " + std::to_string(options.Height) + " pixels";
+  return "Picture: " + Printable(path) + ", " + size +
+    (IsAnythingSeen(model)
+        ? ""
+        : "\nNothing is seen in it: choose another isovalue or view; a preset in Hounsfield units "
+          "may need --shift.");
+}

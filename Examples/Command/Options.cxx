@@ -11,13 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 
 namespace
 {
 
 using Text = const std::string&;
+
+constexpr double Unbounded = 1e300;
 
 double ParseNumber(Text option, Text text, double least, double most)
 {
@@ -26,7 +27,7 @@ double ParseNumber(Text option, Text text, double least, double most)
   {
     std::ostringstream what;
     what << option << " takes a number";
-    if (least > -1e300)
+    if (least > -Unbounded)
     {
       what << " from " << least << " to " << most;
     }
@@ -76,7 +77,7 @@ Rgb ParseColor(Text option, Text text)
 }
 
 // The place of a word of a choice.
-double ParseWord(Text option, Text text, Row::Which choice)
+int ParseWord(Text option, Text text, Row::Which choice)
 {
   const std::vector<const char*>& words = AllSettings()[choice].Words;
   const auto at =
@@ -90,7 +91,7 @@ double ParseWord(Text option, Text text, Row::Which choice)
     }
     throw UserError(option + " takes one of " + list + ", not " + Quoted(text) + ".");
   }
-  return static_cast<double>(at - words.begin());
+  return static_cast<int>(at - words.begin());
 }
 
 void ParseClip(Text option, Text text, Options& options)
@@ -107,7 +108,7 @@ void ParseClip(Text option, Text text, Options& options)
   options.ClipAxis = static_cast<std::size_t>(rest[0] - 'x');
   if (rest.size() > 2)
   {
-    options.ClipAt = ParseNumber(option, rest.substr(2), -1e300, 1e300);
+    options.ClipAt = ParseNumber(option, rest.substr(2), -Unbounded, Unbounded);
   }
 }
 
@@ -123,21 +124,20 @@ void ParseSamples(Text option, Text text, Options& options)
 
 void AddLooks(CommandLine& line, Options& options)
 {
-  constexpr double unbounded = 1e300;
   const auto addChoice = [&](const char* option, Row::Which choice)
   {
     line.AddSetting(option,
       [&options, choice](Text name, Text value)
       { options.Choices.emplace_back(choice, ParseWord(name, value, choice)); });
   };
-  const auto addSwitch = [&](const char* option, Row::Which choice, double value)
+  const auto addSwitch = [&](const char* option, Row::Which choice, int word)
   {
     line.AddSwitch(
-      option, [&options, choice, value] { options.Choices.emplace_back(choice, value); });
+      option, [&options, choice, word] { options.Choices.emplace_back(choice, word); });
   };
   line.AddSetting("--iso",
     [&options](Text name, Text value)
-    { AddNumbers(name, value, -unbounded, unbounded, options.Isovalues); });
+    { AddNumbers(name, value, -Unbounded, Unbounded, options.Isovalues); });
   line.AddSetting("--opacity",
     [&options](Text name, Text value) { AddNumbers(name, value, 0.0, 1.0, options.Opacities); });
   line.AddSetting("--color",
@@ -151,38 +151,37 @@ void AddLooks(CommandLine& line, Options& options)
   line.AddSetting("--preset",
     [&options](Text name, Text value)
     {
-      options.Choices.emplace_back(Row::Drawing, 1.0);
-      ParseWord(name, value, Row::Preset);
-      options.Preset = value;
+      options.Choices.emplace_back(Row::Drawing, Drawing::Composite);
+      options.Preset = ParseWord(name, value, Row::Preset);
     });
   line.AddSetting("--shift",
     [&options](Text name, Text value)
-    { options.Shift = ParseNumber(name, value, -unbounded, unbounded); });
+    { options.Shift = ParseNumber(name, value, -Unbounded, Unbounded); });
   line.AddSetting("--window",
     [&options](Text name, Text value)
-    { options.Window = ParseNumber(name, value, 1e-300, unbounded); });
+    { options.Window = ParseNumber(name, value, 1e-300, Unbounded); });
   line.AddSetting("--level",
     [&options](Text name, Text value)
-    { options.Level = ParseNumber(name, value, -unbounded, unbounded); });
+    { options.Level = ParseNumber(name, value, -Unbounded, Unbounded); });
   addChoice("--draw", Row::Drawing);
-  addSwitch("--maximum", Row::Drawing, 2.0);
+  addSwitch("--maximum", Row::Drawing, Drawing::Maximum);
   addChoice("--palette", Row::Palette);
   addChoice("--material", Row::Material);
   addChoice("--light", Row::Light);
-  addSwitch("--occlusion", Row::Occlusion, 1.0);
-  addSwitch("--shadows", Row::Shadows, 1.0);
+  addSwitch("--occlusion", Row::Occlusion, 1);
+  addSwitch("--shadows", Row::Shadows, 1);
   addChoice("--cut", Row::Cut);
-  addSwitch("--parallel", Row::Projection, 1.0);
-  addSwitch("--outline", Row::Outline, 1.0);
-  addSwitch("--axes", Row::Axes, 1.0);
-  addSwitch("--scale-bar", Row::ScaleBar, 1.0);
-  addSwitch("--color-bar", Row::ColorBar, 1.0);
+  addSwitch("--parallel", Row::Projection, 1);
+  addSwitch("--outline", Row::Outline, 1);
+  addSwitch("--axes", Row::Axes, 1);
+  addSwitch("--scale-bar", Row::ScaleBar, 1);
+  addSwitch("--color-bar", Row::ColorBar, 1);
   line.AddSetting("--background",
     [&options](Text name, Text value)
     {
       const bool isNone = value == "none";
       options.Choices.emplace_back(isNone ? Row::Transparency : Row::Background,
-        isNone ? 1.0 : ParseWord(name, value, Row::Background));
+        isNone ? 1 : ParseWord(name, value, Row::Background));
     });
 }
 
@@ -206,7 +205,7 @@ void AddViews(CommandLine& line, Options& options)
       {
         throw UserError(name + " takes one of turn, sweep, not " + Quoted(value) + ".");
       }
-      options.Motion = value == "turn" ? Film::Turn : Film::Sweep;
+      options.Motion = value == "turn" ? FilmMotion::TurnAround : FilmMotion::Sweep;
     });
   line.AddSetting("--frames",
     [&options](Text name, Text value) { options.Frames = ParseCount(name, value, 100000); });
@@ -228,19 +227,18 @@ void Check(const Options& options)
       "There are more opacities or colours than isovalues; give each isovalue one, or "
       "fewer, of which the last one goes on.");
   }
-  const auto hasChoice = [&](Row::Which choice, bool (*isIt)(double))
+  const auto hasWord = [&](Row::Which choice) // but the first
   {
     return std::any_of(options.Choices.begin(), options.Choices.end(),
-      [&](const auto& made) { return made.first == choice && isIt(made.second); });
+      [&](const auto& made) { return made.first == choice && made.second != 0; });
   };
-  const bool blends = hasChoice(Row::Drawing, [](double word) { return word != 0.0; });
-  if (blends && (!options.Isovalues.empty() || options.Isovalue))
+  if (hasWord(Row::Drawing) && !options.Isovalues.empty())
   {
     throw UserError(
       "Isovalues are those of surfaces, and no surfaces are drawn; leave out --iso, or "
       "--preset, --maximum and --draw.");
   }
-  if (options.Preset.empty() && options.Shift != 0.0)
+  if (!options.Preset && options.Shift != 0.0)
   {
     throw UserError("--shift moves a preset; name one by --preset.");
   }
@@ -248,7 +246,7 @@ void Check(const Options& options)
   {
     throw UserError("--window and --level belong together; give both, or none.");
   }
-  if (hasChoice(Row::Cut, [](double word) { return word != 0.0; }) && !options.ClipAxis)
+  if (hasWord(Row::Cut) && !options.ClipAxis)
   {
     throw UserError("--cut shows samples where --clip cuts; give --clip, too.");
   }

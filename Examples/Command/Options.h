@@ -3,40 +3,34 @@
 #ifndef Options_h
 #define Options_h
 
-#include "Model/Settings.h"
+#include "Model/Film.h"
 #include "Program/CommandLine.h"
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
-
-enum class Film
-{
-  None,
-  Turn,
-  Sweep // of the isovalues
-};
 
 // What the command line says.
 struct Options : CommonOptions
 {
   std::vector<double> Isovalues; // none: one is chosen
   std::vector<double> Opacities; // of the isovalues, in their order; the last one goes on
-  std::vector<Rgb> Colors;       // the same
-  std::vector<std::pair<Row::Which, double>> Choices; // that were named, for the look
-  std::string Preset;                                 // none: ""
+  std::vector<Rgb> Colors;       // of the isovalues, too
+  std::vector<std::pair<Row::Which, int>> Choices; // words that were named, for the look
+  std::optional<int> Preset;                       // place of its word
   double Shift = 0.0;
   std::optional<double> Window, Level;
   double Azimuth = 0.0, Elevation = 0.0; // degrees
   double Zoom = 1.0;
   std::optional<std::size_t> ClipAxis;
-  std::optional<double> ClipAt; // along the axis; none: in the middle
-  bool IsClipFlipped = false;   // what lies below is seen
-  int Samples = 1;              // rays a pixel, beside those at edges: a square number
-  Film Motion = Film::None;
+  std::optional<double> ClipAt;     // along the axis; none: in the middle
+  bool IsClipFlipped = false;       // what lies below is seen
+  int Samples = 1;                  // rays a pixel, beside those at edges: a square number
+  std::optional<FilmMotion> Motion; // none: a picture
   int Frames = 120;
   int Rate = 25;      // frames a second
-  std::string Output; // picture, film, directory or session
+  std::string Output; // picture, film or directory
 };
 
 // Throws UserError.

@@ -10,8 +10,6 @@
 #include "Program/UserError.h"
 #include "View/Picture.h"
 
-#include <vtkCamera.h>
-
 #include <cmath>
 #include <filesystem>
 
@@ -20,7 +18,7 @@ namespace
 
 const char* const Remedy = "name another file with -o";
 
-// Beside the volume, or where the program runs.
+// By default the name of the volume, where the program runs.
 std::string OutputOf(const Options& options)
 {
   if (!options.Output.empty())
@@ -30,8 +28,7 @@ std::string OutputOf(const Options& options)
   const std::filesystem::path volume = options.Source.Path;
   const std::string stem =
     volume.has_filename() ? volume.stem().string() : volume.parent_path().filename().string();
-  const bool isFilm = options.Motion != Film::None;
-  return (stem.empty() ? "spheres" : stem) + (isFilm ? "-film" : ".png");
+  return (stem.empty() ? "spheres" : stem) + (options.Motion ? "-film" : ".png");
 }
 
 bool IsFilmFile(const std::string& path)
@@ -39,7 +36,7 @@ bool IsFilmFile(const std::string& path)
   return EndsWith(LowerCase(path), ".ogv");
 }
 
-vtkSmartPointer<vtkImageData> Draw(Model& model, const Options& options)
+vtkSmartPointer<vtkImageData> PictureOf(Model& model, const Options& options)
 {
   return model.View.Picture(
     options.Width, options.Height, [](double) { return true; },
@@ -71,20 +68,12 @@ std::string MakeFilm(Model& model, const Options& options)
   const std::string path = OutputOf(options);
   Recorder film("");
   film.Start(IsFilmFile(path) ? "ogv" : "png", path, options.Rate);
-  for (int frame = 0; frame < options.Frames; ++frame)
-  {
-    if (options.Motion == Film::Sweep)
+  ForEachFrame(model, model.Settings(), 0, *options.Motion, options.Frames,
+    [&](int)
     {
-      Look look = model.Settings();
-      look.Surfaces[0].Value = model.ValueAt((frame + 0.5) / options.Frames);
-      model.SetSettings(look);
-    }
-    film.Add(Draw(model, options));
-    if (options.Motion == Film::Turn)
-    {
-      model.View.Renderer->GetActiveCamera()->Azimuth(360.0 / options.Frames);
-    }
-  }
+      film.Add(PictureOf(model, options));
+      return true;
+    });
   return film.Stop();
 }
 
@@ -93,7 +82,7 @@ std::string MakeFilm(Model& model, const Options& options)
 void CheckOutput(const Options& options)
 {
   const std::string path = OutputOf(options);
-  const bool isFilm = options.Motion != Film::None;
+  const bool isFilm = options.Motion.has_value();
   if (!isFilm && !EndsWith(LowerCase(path), ".png"))
   {
     throw UserError(
@@ -114,12 +103,12 @@ void CheckOutput(const Options& options)
 
 std::string WritePictures(Model& model, const Options& options)
 {
-  if (options.Motion != Film::None)
+  if (options.Motion)
   {
     return MakeFilm(model, options);
   }
   const std::string path = OutputOf(options);
-  const auto picture = Draw(model, options);
+  const auto picture = PictureOf(model, options);
   WritePng(picture, path, Remedy);
   const std::string size =
     std::to_string(options.Width) + " x " + std::to_string(options.Height) + " pixels";

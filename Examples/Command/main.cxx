@@ -89,12 +89,9 @@ void SetLook(Model& model, const Options& options)
   }
   Look look = model.Settings();
   const std::vector<Setting>& settings = AllSettings();
-  if (!options.Preset.empty())
+  if (options.Preset)
   {
-    const auto& words = settings[Row::Preset].Words;
-    const auto at = std::find_if(
-      words.begin(), words.end(), [&](const char* word) { return options.Preset == word; });
-    model.SetChoice(look, Row::Preset, static_cast<int>(at - words.begin()));
+    model.SetChoice(look, Row::Preset, *options.Preset);
     model.SetNumber(settings[Row::Shift], look, 0, options.Shift);
   }
   if (options.Window)
@@ -130,14 +127,11 @@ void SetView(Model& model, const Options& options)
 }
 
 // Samples on a plane, axes and text are drawn by OpenGL.
-void CheckDisplay(const Look& look)
+void CheckDisplay(const Model& model)
 {
 #if !defined(_WIN32) && !defined(__APPLE__)
-  const bool needsDisplay = look.Values[Row::Outline] != 0.0 || look.Values[Row::Axes] != 0.0 ||
-    look.Values[Row::ScaleBar] != 0.0 || look.Values[Row::ColorBar] != 0.0 ||
-    look.Values[Row::Cut] != 0.0;
   const char* const display = std::getenv("DISPLAY");
-  if (needsDisplay && (!display || !*display))
+  if (model.View.HasAnnotations() && (!display || !*display))
   {
     throw UserError(
       "What is beside the volume is drawn by OpenGL, which needs a display, and DISPLAY "
@@ -149,12 +143,11 @@ void CheckDisplay(const Look& look)
 void Run(const Options& options)
 {
   CheckOutput(options);
-  const Session session = SessionOf(options);
-  CheckDisplay(session.Settings);
   const double begin = vtkTimerLog::GetUniversalTime();
   Model model(options.From, options.Up);
-  model.Open(session);
+  model.Open(SessionOf(options));
   SetLook(model, options);
+  CheckDisplay(model);
   SetView(model, options);
   const std::string remark = model.Data().Remark.empty() ? "" : "\n" + model.Data().Remark;
   std::printf("Volume: %s, %s, values %g to %g%s\n", model.Data().Name.c_str(),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DragMeasurement.h"
 
+#include "Mouse.h"
 #include "Window/MainWindow.h"
 
 #include <vtkCamera.h>
@@ -11,7 +12,6 @@
 #include <vtkTimerLog.h>
 
 #include <QApplication>
-#include <QMouseEvent>
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <algorithm>
@@ -53,10 +53,7 @@ double TimeOf(MainWindow& window, Workbench& bench, const std::function<void()>&
 
 void SendMouse(HistogramPanel* histogram, QEvent::Type type, double share)
 {
-  const QPoint place = histogram->PlaceOf(share);
-  QMouseEvent event(type, place, histogram->mapToGlobal(place), Qt::LeftButton,
-    type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(histogram, &event);
+  SendMouse(histogram, type, histogram->PlaceOf(share));
 }
 
 // Shows pictures in the view's widget, in turn.

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StallMeasurement.h"
 
+#include "Mouse.h"
 #include "Window/MainWindow.h"
 
 #include <vtkTimerLog.h>
 
 #include <QApplication>
-#include <QMouseEvent>
 #include <QVTKOpenGLNativeWidget.h>
 #include <QWheelEvent>
 
@@ -69,13 +69,6 @@ private:
   QTimer Ticks;
   double Last = vtkTimerLog::GetUniversalTime(), LastFrame = Last;
 };
-
-void SendMouse(QWidget* view, QEvent::Type type, const QPoint& place)
-{
-  QMouseEvent event(type, place, view->mapToGlobal(place), Qt::LeftButton,
-    type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(view, &event);
-}
 
 void SendWheel(QWidget* view)
 {

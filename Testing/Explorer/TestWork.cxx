@@ -176,7 +176,7 @@ void ExplorerTests::PicturesAndFilmsAreFinal()
   QVERIFY(!QFile::exists(other) && this->Bench->Refiner->GetEnabled());
 
   const CameraState camera = this->Bench->Data.View.Camera();
-  for (const auto motion : { Workbench::TurnAround, Workbench::Sweep })
+  for (const auto motion : { FilmMotion::TurnAround, FilmMotion::Sweep })
   {
     Workbench::FilmOptions options;
     options.Motion = motion;

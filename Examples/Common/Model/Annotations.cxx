@@ -36,46 +36,6 @@ constexpr double LengthOfAxes = 0.25; // of the longest edge
 constexpr double BeforePlane = 1e-4;  // of the diagonal: in front of caps
 constexpr int Dpi = 72;
 
-// One component of an image, along the image's own axes. Null if there is none, as for cells.
-vtkSmartPointer<vtkImageData> SamplesOf(const Volume& volume, int component, vtkMatrix4x4* toData)
-{
-  vtkImageData* const image = vtkImageData::SafeDownCast(volume.Data);
-  const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
-  if (!image || component < 0 || volume.Array.IsOnCells || arrays.size() != 1)
-  {
-    return nullptr;
-  }
-  vtkNew<vtkImageData> plain;
-  plain->SetExtent(image->GetExtent());
-  plain->SetSpacing(image->GetSpacing());
-  plain->SetOrigin(image->GetOrigin());
-  plain->GetPointData()->SetScalars(arrays[0]);
-  // Directions are a part of the matrix: about the origin.
-  vtkNew<vtkTransform> transform;
-  const double* origin = image->GetOrigin();
-  vtkNew<vtkMatrix4x4> turned;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      turned->SetElement(row, column, image->GetDirectionMatrix()->GetElement(row, column));
-    }
-  }
-  transform->Translate(origin);
-  transform->Concatenate(turned);
-  transform->Translate(-origin[0], -origin[1], -origin[2]);
-  toData->DeepCopy(transform->GetMatrix());
-  if (arrays[0]->GetNumberOfComponents() == 1)
-  {
-    return plain;
-  }
-  vtkNew<vtkImageExtractComponents> extract;
-  extract->SetInputData(plain);
-  extract->SetComponents(component);
-  extract->Update();
-  return extract->GetOutput();
-}
-
 Rgb InkOn(vtkRenderer* renderer)
 {
   const double* ground = renderer->GetBackground();
@@ -130,6 +90,8 @@ Annotations::Annotations(vtkRenderer* renderer)
 
 void Annotations::Show(const Volume& volume, int component, const Box& bounds)
 {
+  this->Shown = volume;
+  this->Component = component;
   this->Bounds = bounds;
   this->HideRuler();
   this->Placement->Identity();
@@ -137,16 +99,47 @@ void Annotations::Show(const Volume& volume, int component, const Box& bounds)
   {
     this->Placement->DeepCopy(volume.Placement);
   }
-  vtkNew<vtkMatrix4x4> toData;
-  this->Samples = SamplesOf(volume, component, toData);
-  if (this->Samples)
-  {
-    vtkMatrix4x4::Multiply4x4(this->Placement, toData, this->SamplesToWorld);
-    this->CutMapper->SetInputData(this->Samples);
-    this->Cut->SetUserMatrix(this->SamplesToWorld);
-  }
+  this->Samples = nullptr;
+  this->HasSamples = vtkImageData::SafeDownCast(volume.Data) && component >= 0 &&
+    !volume.Array.IsOnCells && ShownArrays(volume).size() == 1;
   this->Outline->SetBounds(this->Bounds.data());
   this->OutlineActor->SetUserMatrix(this->Placement);
+}
+
+// Along the image's own axes: its directions are a part of the matrix.
+void Annotations::TakeSamples()
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->Shown.Data);
+  vtkDataArray* const array = ShownArrays(this->Shown).front();
+  vtkNew<vtkImageData> plain;
+  plain->SetExtent(image->GetExtent());
+  plain->SetSpacing(image->GetSpacing());
+  plain->SetOrigin(image->GetOrigin());
+  plain->GetPointData()->SetScalars(array);
+  vtkNew<vtkMatrix4x4> turned;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      turned->SetElement(row, column, image->GetDirectionMatrix()->GetElement(row, column));
+    }
+  }
+  const double* const origin = image->GetOrigin(); // about which it is turned
+  vtkNew<vtkTransform> toWorld;
+  toWorld->SetMatrix(this->Placement);
+  toWorld->Translate(origin);
+  toWorld->Concatenate(turned);
+  toWorld->Translate(-origin[0], -origin[1], -origin[2]);
+  this->SamplesToWorld->DeepCopy(toWorld->GetMatrix());
+  this->Samples = plain;
+  if (array->GetNumberOfComponents() > 1)
+  {
+    vtkNew<vtkImageExtractComponents> extract;
+    extract->SetInputData(plain);
+    extract->SetComponents(this->Component);
+    extract->Update();
+    this->Samples = extract->GetOutput();
+  }
 }
 
 bool Annotations::HasAny() const
@@ -173,8 +166,12 @@ void Annotations::ShowRuler(const Point& from, const Point& to)
   this->Ruler->VisibilityOn();
 }
 
-void Annotations::ShowRulerOf(const Annotations& other)
+void Annotations::ShowAs(const Annotations& other)
 {
+  this->Show(other.Shown, other.Component, other.Bounds);
+  this->Samples = other.Samples;
+  this->SamplesToWorld->DeepCopy(other.SamplesToWorld);
+  this->Apply(other.Applied, other.Colors);
   if (other.Ruler->GetVisibility())
   {
     Point from, to;
@@ -186,6 +183,8 @@ void Annotations::ShowRulerOf(const Annotations& other)
 
 void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors)
 {
+  this->Applied = look;
+  this->Colors = colors;
   const Rgb ink = InkOn(this->Renderer);
   const Box& box = this->Bounds;
   this->OutlineActor->SetVisibility(look.Choice(Row::Outline));
@@ -218,18 +217,28 @@ void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors)
   SetInk(this->Ruler->GetLabelTextProperty(), ink);
   this->Ruler->GetProperty()->SetColor(ink[0], ink[1], ink[2]);
 
-  const bool isCut =
-    look.Values[Row::Clipping] != 0.0 && look.Values[Row::Cut] != 0.0 && this->CanShowCut();
+  const bool isCut = look.Values[Row::Clipping] != 0.0 && look.Choice(Row::Cut) != OnCut::Nothing &&
+    this->HasSamples;
   this->Cut->SetVisibility(isCut);
   if (isCut)
   {
-    this->PlaceCut(look, colors);
+    this->PlaceCut();
   }
 }
 
 // A hair in front of the plane: behind it, caps begin.
-void Annotations::PlaceCut(const Look& look, vtkColorTransferFunction* colors)
+void Annotations::PlaceCut()
 {
+  const Look& look = this->Applied;
+  if (!this->Samples)
+  {
+    this->TakeSamples();
+  }
+  if (this->CutMapper->GetInput() != this->Samples)
+  {
+    this->CutMapper->SetInputData(this->Samples);
+    this->Cut->SetUserMatrix(this->SamplesToWorld);
+  }
   const double* box = this->Cut->GetBounds();
   const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
   this->CutPlane->SetNormal(look.Clip.Normal.data());
@@ -240,15 +249,15 @@ void Annotations::PlaceCut(const Look& look, vtkColorTransferFunction* colors)
   {
     this->Greys->AddRGBPoint(end.Value, end.Opacity, end.Opacity, end.Opacity);
   }
-  constexpr int inColors = 2;
   this->Cut->GetProperty()->SetLookupTable(
-    look.Choice(Row::Cut) == inColors ? colors : this->Greys.GetPointer());
-  this->PlaceCrop(look);
+    look.Choice(Row::Cut) == OnCut::Colors ? this->Colors.Get() : this->Greys.Get());
+  this->PlaceCrop();
 }
 
 // The cut ends where the box does that is cropped to.
-void Annotations::PlaceCrop(const Look& look)
+void Annotations::PlaceCrop()
 {
+  const Look& look = this->Applied;
   this->CutMapper->RemoveAllClippingPlanes();
   if (look.Values[Row::Cropping] == 0.0)
   {
@@ -336,41 +345,46 @@ void LayOver(const unsigned char* above, unsigned char* below)
 
 }
 
-// In a window of its own, off the screen: the one that is seen may belong to another thread.
-void Annotations::DrawOver(vtkImageData* picture, double pixels)
+// By a copy in a window off the screen: the one that is seen may belong to another thread.
+void Annotations::DrawOver(vtkImageData* picture) const
 {
-  int size[3];
-  picture->GetDimensions(size);
+  vtkNew<vtkCamera> camera;
+  camera->DeepCopy(this->Renderer->GetActiveCamera());
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetActiveCamera(camera);
+  renderer->SetBackground(this->Renderer->GetBackground());
+  Annotations copy(renderer);
+  copy.ShowAs(*this);
+  renderer->SetBackground(0.0, 0.0, 0.0); // adds nothing to the picture
+  const int* const size = picture->GetDimensions();
+  const int heightOfView = this->Renderer->GetSize()[1];
+  const double scale = heightOfView > 0 ? 1.0 * size[1] / heightOfView : 1.0;
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   window->SetAlphaBitPlanes(1);
-  window->SetDPI(static_cast<int>(std::lround(Dpi * pixels)));
+  window->SetDPI(static_cast<int>(std::lround(Dpi * scale)));
   window->SetSize(size[0], size[1]);
-  window->AddRenderer(this->Renderer);
+  window->AddRenderer(renderer);
   window->Render();
   vtkNew<vtkUnsignedCharArray> drawn;
   window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, drawn);
-  const std::vector<float> distances =
-    DistancesOf(window, this->Renderer->GetActiveCamera(), size[0], size[1]);
-  window->RemoveRenderer(this->Renderer);
+  const std::vector<float> distances = DistancesOf(window, camera, size[0], size[1]);
   auto* const depths = vtkFloatArray::SafeDownCast(picture->GetPointData()->GetArray("Depth"));
   auto* const colors = static_cast<unsigned char*>(picture->GetScalarPointer());
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    const unsigned char* const note = drawn->GetPointer(static_cast<vtkIdType>(4 * i));
+    unsigned char* const note = drawn->GetPointer(static_cast<vtkIdType>(4 * i));
     unsigned char* const color = colors + 4 * i;
-    const bool isText = std::isinf(distances[i]);
-    if (isText || distances[i] <= depths->GetValue(static_cast<vtkIdType>(i)))
+    // Text has no depth, and is in front.
+    if (std::isinf(distances[i]) || distances[i] <= depths->GetValue(static_cast<vtkIdType>(i)))
     {
       LayOver(note, color);
     }
     else
     {
-      std::array<unsigned char, 4> both;
-      std::copy_n(note, 4, both.begin());
-      LayOver(color, both.data());
-      std::copy_n(both.begin(), 4, color);
+      LayOver(color, note);
+      std::copy_n(note, 4, color);
     }
   }
 }

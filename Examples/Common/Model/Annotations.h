@@ -35,11 +35,10 @@ public:
 
   // In any picture until it is hidden, or until other data are shown.
   void ShowRuler(const Point& from, const Point& to);
-  void ShowRulerOf(const Annotations& other);
   void HideRuler() { this->Ruler->VisibilityOff(); }
 
   // Samples at points of an image.
-  bool CanShowCut() const { return this->Samples != nullptr; }
+  bool CanShowCut() const { return this->HasSamples; }
   bool HasAny() const;
   bool ShowsCut() const { return this->Cut->GetVisibility() != 0; }
 
@@ -47,12 +46,14 @@ public:
   std::optional<double> SampleAt(const Point& place) const;
 
   // Lays them over a picture that the mapper made as the renderer's camera sees it, with Color and
-  // Depth. pixels: of the picture for each of the view. In any thread.
-  void DrawOver(vtkImageData* picture, double pixels);
+  // Depth: as large as they are in the view. In any thread.
+  void DrawOver(vtkImageData* picture) const;
 
 private:
-  void PlaceCut(const Look& look, vtkColorTransferFunction* colors);
-  void PlaceCrop(const Look& look);
+  void ShowAs(const Annotations& other);
+  void TakeSamples();
+  void PlaceCut();
+  void PlaceCrop();
 
   vtkRenderer* Renderer;
   vtkNew<vtkImageSlice> Cut;
@@ -66,10 +67,16 @@ private:
   vtkNew<vtkLegendScaleActor> ScaleBar;
   vtkNew<vtkScalarBarActor> ColorBar;
   vtkNew<vtkLeaderActor2D> Ruler;
-  vtkNew<vtkMatrix4x4> Placement;        // from the data's space to the world
-  vtkSmartPointer<vtkImageData> Samples; // one component, along its own axes; may be null
-  vtkNew<vtkMatrix4x4> SamplesToWorld;
+  Volume Shown;
+  int Component = 0;
   Box Bounds = {};
+  Look Applied;
+  vtkSmartPointer<vtkColorTransferFunction> Colors;
+  vtkNew<vtkMatrix4x4> Placement; // from the data's space to the world
+  bool HasSamples = false;
+  // One component along its own axes, from the first time on that the plane shows it.
+  vtkSmartPointer<vtkImageData> Samples;
+  vtkNew<vtkMatrix4x4> SamplesToWorld;
 };
 
 #endif

@@ -63,16 +63,15 @@ double ValueBelow(const Histogram& counted, double share, bool leavesOutLeast = 
 // smallest.
 std::vector<Marker> FirstGreys(const Histogram& counted, int drawing)
 {
-  constexpr int minimum = 3;
-  const double black = drawing == minimum ? counted.Range[0] : ValueBelow(counted, BelowBlack);
-  double white = ValueBelow(counted, 1.0 - AboveWhite);
-  if (drawing == minimum)
+  const bool isLeast = drawing == Drawing::Minimum;
+  double black = isLeast ? counted.Range[0] : ValueBelow(counted, BelowBlack);
+  double white = isLeast ? ValueBelow(counted, 0.5, true) : ValueBelow(counted, 1.0 - AboveWhite);
+  if (!(white > black))
   {
-    white = ValueBelow(counted, 0.5, true);
+    black = counted.Range[0];
+    white = counted.Range[1];
   }
-  return white > black
-    ? std::vector<Marker>{ { black, 0.0 }, { white, 1.0 } }
-    : std::vector<Marker>{ { counted.Range[0], 0.0 }, { counted.Range[1], 1.0 } };
+  return { { black, 0.0 }, { white, 1.0 } };
 }
 
 bool AreSame(const std::vector<Marker>& one, const std::vector<Marker>& other)

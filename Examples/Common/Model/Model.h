@@ -55,7 +55,10 @@ public:
   std::array<double, 2> RangeOf(const Setting& number) const;
   bool DrawsMesh() const { return this->View.IsMesh(); }
   bool DrawsImage() const { return !this->View.IsMesh(); }
-  bool Blends() const { return this->DrawsImage() && this->Settings().Values[Row::Drawing] != 0.0; }
+  bool Blends() const
+  {
+    return this->DrawsImage() && this->Settings().Choice(Row::Drawing) != Drawing::Surfaces;
+  }
   bool DrawsSurfaces() const { return !this->Blends(); }
   // Projections show one value of a ray, in grey.
   bool Projects() const { return this->Blends() && this->Settings().IsProjection(); }
@@ -66,7 +69,7 @@ public:
   {
     return this->Projects() ||
       (this->CanShowCut() && this->Settings().Values[Row::Clipping] != 0.0 &&
-        this->Settings().Values[Row::Cut] == 1.0);
+        this->Settings().Choice(Row::Cut) == OnCut::Greys);
   }
   // The surfaces, the nodes of the blended volume, or the ends of the greys.
   auto MarkersIn() const

@@ -108,7 +108,7 @@ std::vector<Setting> MakeTable()
     { "density", "Density", "of the blended volume: how soon it is opaque", "Surfaces", '\0', {},
       &Model::HasNodes, 1.0, {}, { 1e-3, 1e3 }, {}, Row::Count, true },
     { "shift", "Shift", "moves colours and opacities over the values", "Surfaces", '\0', {},
-      &Model::HasNodes, 0.0, {}, { -1e300, 1e300 } },
+      &Model::HasNodes },
     SideOfBox("X from", -1e300, 0),
     SideOfBox("X to", 1e300, 0),
     SideOfBox("Y from", -1e300, 1),
@@ -161,8 +161,8 @@ Look Look::Before()
 
 bool Look::IsProjection() const
 {
-  constexpr int maximum = 2, minimum = 3;
-  return this->Choice(Row::Drawing) == maximum || this->Choice(Row::Drawing) == minimum;
+  const int way = this->Choice(Row::Drawing);
+  return way == Drawing::Maximum || way == Drawing::Minimum;
 }
 
 const char* Look::TextOf(Row::Which choice) const

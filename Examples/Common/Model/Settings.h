@@ -59,6 +59,29 @@ struct Row
   };
 };
 
+// Words of Row::Drawing and of Row::Cut.
+struct Drawing
+{
+  enum Way
+  {
+    Surfaces,
+    Composite,
+    Maximum,
+    Minimum,
+    Average,
+    Additive
+  };
+};
+struct OnCut
+{
+  enum What
+  {
+    Nothing,
+    Greys,
+    Colors
+  };
+};
+
 class Model;
 
 // A surface at an isovalue, a node of the opacity of a blended volume, or an end of the greys.

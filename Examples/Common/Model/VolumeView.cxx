@@ -135,8 +135,6 @@ void VolumeView::Show(
   const Volume& volume, int component, const std::array<double, 2>& range, const Mapping& by)
 {
   this->Range = range;
-  this->Shown = volume;
-  this->Component = component;
   this->HasCells = HasMeshes(volume.Data);
   if (by)
   {
@@ -220,8 +218,9 @@ void VolumeView::SetProjection(bool isParallel)
 void VolumeView::Apply(Look& look)
 {
   vtkVolumeProperty* property = this->Actor->GetProperty();
-  const auto& ground = Backgrounds[static_cast<std::size_t>(look.Choice(Row::Background))];
-  this->Renderer->SetBackground(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
+  this->Ground = Backgrounds[static_cast<std::size_t>(look.Choice(Row::Background))];
+  this->Renderer->SetBackground(
+    this->Ground[0] / 255.0, this->Ground[1] / 255.0, this->Ground[2] / 255.0);
   this->SetProjection(look.Choice(Row::Projection) != 0);
   SetPalette(property->GetRGBTransferFunction(), look.Choice(Row::Palette), this->Range);
   SetMaterial(property, look.Choice(Row::Material));
@@ -239,8 +238,8 @@ void VolumeView::Apply(Look& look)
   shading[2] = property->GetSpecular();
   shading[3] = property->GetSpecularPower();
   SetLight(this->Renderer, look.Choice(Row::Light));
-  const bool areSurfaces = this->HasCells || look.Choice(Row::Drawing) == 0;
-  const int drawing = areSurfaces ? 0 : look.Choice(Row::Drawing);
+  const bool areSurfaces = this->HasCells || look.Choice(Row::Drawing) == Drawing::Surfaces;
+  const int drawing = areSurfaces ? Drawing::Surfaces : look.Choice(Row::Drawing);
   this->Mapper->SetBlendMode(BlendModes[static_cast<std::size_t>(drawing)]);
   // Rays of blended volumes take long: fewer of them while something is dragged.
   this->Mapper->SetAutoAdjustSampleDistances(!areSurfaces);
@@ -281,7 +280,6 @@ void VolumeView::Apply(Look& look)
     this->Mapper->AddClippingPlane(this->Clip);
   }
   this->Beside.Apply(look, property->GetRGBTransferFunction());
-  this->Applied = look;
 }
 
 // In the world.
@@ -367,7 +365,8 @@ vtkSmartPointer<vtkImageData> VolumeView::LastFrame()
 {
   vtkNew<vtkImageData> frame;
   using M = vtkTemporalCoherenceVolumeMapper;
-  if (!this->Mapper->GetLastFrame(frame, M::FRAME_COLOR | M::FRAME_DEPTH))
+  const int depth = this->Beside.HasAny() ? M::FRAME_DEPTH : 0;
+  if (!this->Mapper->GetLastFrame(frame, M::FRAME_COLOR | depth))
   {
     throw UserError("There is no picture yet; open a volume first.");
   }
@@ -400,18 +399,7 @@ vtkSmartPointer<vtkImageData> VolumeView::Finished(
 {
   if (this->Beside.HasAny())
   {
-    vtkNew<vtkRenderer> renderer;
-    vtkNew<vtkCamera> camera;
-    camera->DeepCopy(this->Renderer->GetActiveCamera());
-    renderer->SetActiveCamera(camera);
-    renderer->SetBackground(this->Renderer->GetBackground());
-    Annotations annotations(renderer);
-    annotations.Show(this->Shown, this->Component, this->Bounds);
-    annotations.Apply(this->Applied, this->Actor->GetProperty()->GetRGBTransferFunction());
-    annotations.ShowRulerOf(this->Beside);
-    renderer->SetBackground(0.0, 0.0, 0.0); // adds nothing to the picture
-    const int* const size = this->Renderer->GetSize();
-    annotations.DrawOver(frame, size[1] > 0 ? 1.0 * frame->GetDimensions()[1] / size[1] : 1.0);
+    this->Beside.DrawOver(frame);
   }
   if (raysOfSide > 1)
   {
@@ -422,8 +410,7 @@ vtkSmartPointer<vtkImageData> VolumeView::Finished(
     mean->Update();
     frame = mean->GetOutput();
   }
-  const auto& ground = Backgrounds[static_cast<std::size_t>(this->Applied.Choice(Row::Background))];
-  return hasBackground ? OnBackground(frame, ground, ground) : WithoutBackground(frame);
+  return hasBackground ? OnBackground(frame, this->Ground, this->Ground) : WithoutBackground(frame);
 }
 
 // Where the ray through the pixel meets the clipping plane.

@@ -38,6 +38,7 @@ public:
   void Show(
     const Volume& volume, int component, const std::array<double, 2>& range, const Mapping& by);
   bool CanShowCut() const { return this->Beside.CanShowCut(); }
+  bool HasAnnotations() const { return this->Beside.HasAny(); }
   void Apply(Look& look); // tells the shading that it has, if that is the material's
 
   // All of the volume is seen; the axes are those of the command line.
@@ -96,9 +97,7 @@ private:
   std::array<double, 2> Range = { 0.0, 1.0 };
   Box Bounds = {}, BoundsInWorld = {};
   bool HasCells = false;
-  Volume Shown;
-  int Component = 0;
-  Look Applied;
+  std::array<double, 3> Ground = {}; // the background, of 255
   Annotations Beside{ this->Renderer };
 };
 

@@ -14,7 +14,7 @@
 vtkSmartPointer<vtkImageData> OnBackground(
   vtkImageData* rgba, const std::array<double, 3>& bottom, const std::array<double, 3>& top);
 
-// The same picture by itself: colours are not multiplied by alpha, as files have them.
+// An RGBA picture of the mapper as files have it: colours are not multiplied by alpha.
 vtkSmartPointer<vtkImageData> WithoutBackground(vtkImageData* rgba);
 
 // Throws UserError, with the remedy given ("name another directory with --output").

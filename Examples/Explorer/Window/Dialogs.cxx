@@ -152,7 +152,7 @@ void AskFilm(QMainWindow& window, Workbench& bench)
   if (dialog.Ask())
   {
     Workbench::FilmOptions options;
-    options.Motion = static_cast<Workbench::Motion>(motion->currentIndex());
+    options.Motion = static_cast<FilmMotion>(motion->currentIndex());
     options.Frames = frames->value();
     options.Rate = rate->value();
     options.Format = format->currentText().toStdString();

@@ -557,26 +557,18 @@ void Workbench::MakeFilm(const FilmOptions& options)
   const CameraState camera = this->Data.View.Camera();
   // Of what the thread changes, nothing else is seen: Finish() applies the settings again.
   const auto job = [=, look = this->Data.Settings(), marker = this->Selected()](
-                     const Progress& progress) mutable
+                     const Progress& progress)
   {
     VolumeView& view = this->Data.View;
     try
     {
-      for (int frame = 0; frame < options.Frames && !this->IsStopped; ++frame)
-      {
-        if (options.Motion == Sweep)
+      ForEachFrame(this->Data, look, marker, options.Motion, options.Frames,
+        [&](int frame)
         {
-          this->Data.MarkersOf(look)[marker].Value =
-            this->Data.ValueAt((frame + 0.5) / options.Frames);
-          view.Apply(look);
-        }
-        film->Add(view.Picture(options.Width, options.Height,
-          [&](double share) { return progress((frame + share) / options.Frames); }));
-        if (options.Motion == TurnAround)
-        {
-          view.Renderer->GetActiveCamera()->Azimuth(360.0 / options.Frames);
-        }
-      }
+          film->Add(view.Picture(options.Width, options.Height,
+            [&](double share) { return progress((frame + share) / options.Frames); }));
+          return !this->IsStopped;
+        });
     }
     catch (const UserError&)
     {

@@ -3,7 +3,7 @@
 #ifndef Workbench_h
 #define Workbench_h
 
-#include "Model/Model.h"
+#include "Model/Film.h"
 #include "Model/Recorder.h"
 
 #include <vtkNew.h>
@@ -73,14 +73,9 @@ public:
   void SaveSession(const std::string& path);
   void SavePicture(const std::string& path = "", int width = 0, int height = 0);
   void ExportTriangles(const std::string& path);
-  enum Motion
-  {
-    TurnAround,
-    Sweep // of the selected isovalue
-  };
   struct FilmOptions
   {
-    Workbench::Motion Motion = TurnAround;
+    FilmMotion Motion = FilmMotion::TurnAround; // a sweep is that of the selected marker
     int Frames = 120;
     int Rate = 25;              // frames a second
     std::string Format = "png"; // or "ogv"

@@ -36,8 +36,8 @@
  * does TemporalCoherenceOff(). Nothing is logged then.
  *
  * GetIsosurfaceMapper() gives access to the settings that only vtkTemporalCoherenceVolumeMapper
- * has. Those settings of this class that affect isosurfaces are copied to it in every frame.
- * UseDepthPass is not copied: VTK's mapper applies it to COMPOSITE_BLEND only.
+ * has. Settings of this class that affect isosurfaces are copied to it in every frame. UseDepthPass
+ * is not copied: VTK's mapper applies it to COMPOSITE_BLEND only.
  *
  * The events are those of vtkGPUVolumeRayCastMapper, whichever mapper draws. Observers of this
  * mapper get the errors and warnings of both.

@@ -7,9 +7,9 @@
  * As a vtkVolumePicker, it can replace any vtkCellPicker or vtkVolumePicker. If the prop's mapper
  * is a vtkTemporalCoherenceVolumeMapper, it picks the first surface on the line. That is the
  * surface that is seen there: the picker uses the isovalues with an opacity above 0, the surface
- * mode and the interpolation. No frame is needed. The same holds for a
- * vtkTemporalCoherenceGPUVolumeRayCastMapper whose last frame showed isosurfaces. Everything else
- * is picked as vtkVolumePicker does it.
+ * mode and the interpolation. No frame is needed. A vtkTemporalCoherenceGPUVolumeRayCastMapper is
+ * picked likewise if its last frame showed isosurfaces. Everything else is picked as
+ * vtkVolumePicker does it.
  *
  * After such a pick, PickPosition and MapperPosition lie on the surface. PickNormal and
  * MapperNormal are its normal and face the viewer. DataSet is the mapper's input or, of blocks that

@@ -106,16 +106,16 @@ private:
   void StopTimer();
   void RenderAgain(vtkRenderWindowInteractor* interactor);
 
-  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; ///< that was set, or null
-  vtkWeakPointer<vtkRenderWindow> Window;               ///< that is observed
-  vtkWeakPointer<vtkRenderWindowInteractor> TimerOwner; ///< that is observed for the timer
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; ///< set by the user, or null
+  vtkWeakPointer<vtkRenderWindow> Window;               ///< observed for frames
+  vtkWeakPointer<vtkRenderWindowInteractor> TimerOwner; ///< observed for the timer
   unsigned long TimerTag = 0;
   std::vector<unsigned long> WindowTags;
   vtkTypeBool Enabled = 1;
   double Progress = 1.0;
   double Least = 1.0; ///< progress of the pictures of the frame that is being rendered
-  int Timer = 0;      ///< that is pending; or 0
-  int Frames = 0;     ///< of the window that ended
+  int Timer = 0;      ///< the pending timer; or 0
+  int Frames = 0;     ///< frames of the window that ended
   int Vain = 0;       ///< frames of this refiner, one after another, that brought nothing
   bool Rendering = false;
 };

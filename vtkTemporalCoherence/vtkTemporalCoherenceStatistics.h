@@ -28,7 +28,7 @@ public:
   /**
    * How the frame was made: one of vtkTemporalCoherenceVolumeMapper::Routes, or its name: Cold,
    * Redisplay, Reshade, IsomapLookup, IsomapBuild, ImageCache, TimeStep, Recomposite, KeepValues,
-   * FewerRays or Refine.
+   * Antialias, FewerRays or Refine.
    */
   vtkGetMacro(Route, int);
   const char* GetRouteAsString() { return this->RouteName; }

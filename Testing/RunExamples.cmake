@@ -105,6 +105,7 @@ draw_by_command(plain)
 draw_by_command(two --iso 60,110 --opacity 0.3,1 --color "tan,#40c080")
 draw_by_command(preset --preset mr --shift 5)
 draw_by_command(largest --maximum --window 80 --level 60 --background white)
+draw_by_command(smallest --minimum)
 draw_by_command(clipped --iso 100 --clip -x --threshold --material glossy --light side)
 draw_by_command(turned --from -x --azimuth 20 --elevation 10 --zoom 1.2 --parallel --samples 4)
 draw_by_command(light --occlusion --shadows --light rim)
@@ -156,11 +157,18 @@ foreach (mistake IN ITEMS "takes a number|--iso;60,nan" "outside the values|--is
     "square number|--samples;5" "one of surfaces|--draw;nothing" "takes colours|--color;blurple"
     "give --clip, too|--cut;colours" "belong together|--window;3" "needs a display|--axes"
     "is neither|--film;turn;-o;x.txt" "no directory|-o;/nowhere/at/all.png" "from 0 to 1|--opacity;2"
-    "commas between|--iso;60,,70" "an axis and a place|--clip;w=3" "name one by --preset|--shift;3")
+    "commas between|--iso;60,,70" "an axis and a place|--clip;w=3" "name one by --preset|--shift;3"
+    "given twice|--iso;60,60" "those of a film|--frames;5" "--shift takes|--preset;mr;--shift;1e9"
+    "lie within the values|--maximum;--window;9;--level;1e9")
   string(REGEX MATCH "^[^|]*" words "${mistake}")
   string(REGEX REPLACE "^[^|]*[|]" "" arguments "${mistake}")
   expect_refusal_of("${command};--spheres;16" "${words}" ${arguments})
 endforeach ()
+string(CONCAT tetrahedron "# vtk DataFile Version 3.0\none cell\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+  "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+  "POINT_DATA 4\nSCALARS s float\nLOOKUP_TABLE default\n0 1 2 3\n")
+file(WRITE "${SCRATCH}/tetrahedron.vtk" "${tetrahedron}")
+expect_refusal_of("${command}" "is a mesh" "${SCRATCH}/tetrahedron.vtk" --preset mr)
 function (expect_refusal words)
   expect_refusal_of("${orbit_and_sweep};--quick;--output;${pictures}/refused" "${words}" ${ARGN})
 endfunction ()

@@ -85,14 +85,6 @@ std::string WhyNotDrawn(vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer
   return std::string();
 }
 
-bool IsSlowlyBlended(int blendMode, vtkVolume* volume)
-{
-  const bool isOfAll = blendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
-    blendMode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND ||
-    blendMode == vtkVolumeMapper::ADDITIVE_BLEND;
-  return isOfAll && volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
-}
-
 void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper* to)
 {
   vtkAlgorithmOutput* const input =

@@ -22,10 +22,6 @@ namespace TemporalCoherence
 std::string WhyNotDrawn(
   vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/// True if VTK's mapper may be ten times as fast even with OpenGL on the CPU: all samples along a
-/// ray are blended, and none is interpolated.
-bool IsSlowlyBlended(int blendMode, vtkVolume* volume);
-
 /// Copy the input and all relevant settings of a mapper to another. Equal settings are not
 /// modified.
 void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper* to);

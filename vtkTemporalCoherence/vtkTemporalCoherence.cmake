@@ -287,6 +287,7 @@ endforeach ()
 vtk_module_add_module(VTK::TemporalCoherence
   SOURCES
     "${module_directory}/Choice.cxx"
+    "${module_directory}/BlendingTime.cxx"
     "${module_directory}/GpuMapperSettings.cxx"
     "${module_directory}/SettingsFromMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceDropInMapper.cxx"

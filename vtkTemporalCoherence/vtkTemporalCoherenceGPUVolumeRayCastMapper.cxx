@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 
+#include "BlendingTime.h"
 #include "Choice.h"
 #include "GpuMapperSettings.h"
 #include "Window/OpenGLWindow.h"
@@ -14,6 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <atomic>
@@ -168,17 +170,50 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
   {
     why = TemporalCoherence::WhyNotDrawn(this, renderer, volume);
   }
-  if (why.empty() && this->BlendVolumes != BLEND_ALWAYS &&
-    TemporalCoherence::IsSlowlyBlended(this->BlendMode, volume))
-  {
-    why = "the interpolation is nearest, which VTK blends faster";
-  }
   if (!why.empty())
   {
     return why;
   }
   this->PrepareIsosurfaces();
-  return this->Isosurfaces->Internal->WhyRefused(renderer, volume);
+  if (this->BlendMode != ISOSURFACE_BLEND && this->BlendVolumes != BLEND_ALWAYS)
+  {
+    why = this->WhySuperclassIsFaster(volume);
+  }
+  return why.empty() ? this->Isosurfaces->Internal->WhyRefused(renderer, volume) : why;
+}
+
+//------------------------------------------------------------------------------
+/// The reason why the superclass blends a volume in less time though OpenGL runs on the CPU; empty
+/// if it does not. The input is up to date.
+std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassIsFaster(vtkVolume* volume)
+{
+  if (volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
+  {
+    return "the interpolation is nearest, which VTK blends faster";
+  }
+  if (this->BlendMode == AVERAGE_INTENSITY_BLEND || this->BlendMode == ADDITIVE_BLEND)
+  {
+    return "averages and sums are what VTK makes faster";
+  }
+  if (this->BlendMode != COMPOSITE_BLEND)
+  {
+    return std::string();
+  }
+  vtkDataObject* const data = this->GetInputDataObject(0, 0);
+  const vtkMTimeType time =
+    std::max({ this->GetMTime(), volume->GetProperty()->GetMTime(), data ? data->GetMTime() : 0 });
+  if (time != this->BlendingTimeFrom)
+  {
+    this->BlendingTimeFrom = time;
+    this->BlendingTime = TemporalCoherence::BlendingTimeBesideVtk(this, volume);
+  }
+  // A function that is dragged does not change the mapper to and fro.
+  const double most = this->DrawnBy == Drawer::Isosurfaces ? 1.1
+    : this->DrawnBy == Drawer::Superclass                  ? 0.9
+                                                           : 1.0;
+  return this->BlendingTime <= most
+    ? std::string()
+    : "so much of the volume is half transparent that VTK should blend it faster";
 }
 
 //------------------------------------------------------------------------------

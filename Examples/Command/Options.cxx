@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace
@@ -165,6 +166,7 @@ void AddLooks(CommandLine& line, Options& options)
     { options.Level = ParseNumber(name, value, -Unbounded, Unbounded); });
   addChoice("--draw", Row::Drawing);
   addSwitch("--maximum", Row::Drawing, Drawing::Maximum);
+  addSwitch("--minimum", Row::Drawing, Drawing::Minimum);
   addChoice("--palette", Row::Palette);
   addChoice("--material", Row::Material);
   addChoice("--light", Row::Light);
@@ -236,7 +238,16 @@ void Check(const Options& options)
   {
     throw UserError(
       "Isovalues are those of surfaces, and no surfaces are drawn; leave out --iso, or "
-      "--preset, --maximum and --draw.");
+      "--preset, --maximum, --minimum and --draw.");
+  }
+  const std::vector<double>& isovalues = options.Isovalues;
+  if (std::set<double>(isovalues.begin(), isovalues.end()).size() < isovalues.size())
+  {
+    throw UserError("An isovalue is given twice; give each one once.");
+  }
+  if (!options.Motion && (options.Frames || options.Rate))
+  {
+    throw UserError("--frames and --rate are those of a film; give --film turn or --film sweep.");
   }
   if (!options.Preset && options.Shift != 0.0)
   {
@@ -297,7 +308,7 @@ usage: temporal-coherence [VOLUME [ISOVALUE] | FILE.session] [OPTIONS] [-o PICTU
  blended volumes
   --preset NAME          "ct bone", "ct soft tissue", "ct vessels" (Hounsfield units), or mr
   --shift V              moves the preset over the values
-  --maximum              the largest value of each ray, in grey
+  --maximum, --minimum   the largest or the smallest value of each ray, in grey
   --window W --level L   how many values lie from black to white, and the middle one
   --draw NAME            surfaces composite maximum minimum average additive
 

@@ -28,9 +28,9 @@ struct Options : CommonOptions
   bool IsClipFlipped = false;       // what lies below is seen
   int Samples = 1;                  // rays a pixel, beside those at edges: a square number
   std::optional<FilmMotion> Motion; // none: a picture
-  int Frames = 120;
-  int Rate = 25;      // frames a second
-  std::string Output; // picture, film or directory
+  std::optional<int> Frames;        // of a film; none: 120
+  std::optional<int> Rate;          // frames a second; none: 25
+  std::string Output;               // picture, film or directory
 };
 
 // Throws UserError.

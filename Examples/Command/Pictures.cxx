@@ -67,8 +67,8 @@ std::string MakeFilm(Model& model, const Options& options)
 {
   const std::string path = OutputOf(options);
   Recorder film("");
-  film.Start(IsFilmFile(path) ? "ogv" : "png", path, options.Rate);
-  ForEachFrame(model, model.Settings(), 0, *options.Motion, options.Frames,
+  film.Start(IsFilmFile(path) ? "ogv" : "png", path, options.Rate.value_or(25));
+  ForEachFrame(model, model.Settings(), 0, *options.Motion, options.Frames.value_or(120),
     [&](int)
     {
       film.Add(PictureOf(model, options));

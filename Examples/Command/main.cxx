@@ -13,8 +13,10 @@
 #include <vtkTimerLog.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <utility>
 
 namespace
@@ -89,13 +91,37 @@ void SetLook(Model& model, const Options& options)
   }
   Look look = model.Settings();
   const std::vector<Setting>& settings = AllSettings();
+  if (model.DrawsMesh() && look.Choice(Row::Drawing) != Drawing::Surfaces)
+  {
+    throw UserError(Quoted(model.Data().Name) +
+      " is a mesh, of which only surfaces can be drawn; leave out --preset, --maximum, --minimum "
+      "and --draw.");
+  }
   if (options.Preset)
   {
     model.SetChoice(look, Row::Preset, *options.Preset);
+    const std::array<double, 2> shifts = model.RangeOf(settings[Row::Shift]);
+    if (options.Shift < shifts[0] || options.Shift > shifts[1])
+    {
+      std::ostringstream what;
+      what << "--shift takes a number from " << shifts[0] << " to " << shifts[1]
+           << " for these values, not " << options.Shift << ".";
+      throw UserError(what.str());
+    }
     model.SetNumber(settings[Row::Shift], look, 0, options.Shift);
   }
   if (options.Window)
   {
+    const std::array<double, 2>& range = model.Counted().Range;
+    const double black = *options.Level - 0.5 * *options.Window;
+    const double white = *options.Level + 0.5 * *options.Window;
+    if (black < range[0] || white > range[1])
+    {
+      std::ostringstream what;
+      what << "--window and --level must lie within the values, " << range[0] << " to " << range[1]
+           << "; these begin at " << black << " and end at " << white << ".";
+      throw UserError(what.str());
+    }
     model.SetNumber(settings[Row::Window], look, 0, *options.Window);
     model.SetNumber(settings[Row::Level], look, 0, *options.Level);
   }

@@ -60,6 +60,58 @@ def test_isovalues_left_out():
           "drop-in: isovalues that fit the other array are shown")
 
 
+def test_single_isovalue():
+    """The slider's isovalue is drawn where it fits the array and no list says otherwise."""
+    view = make_view()
+    source = make_wavelet()
+    display = Show(source, view)
+    display.Representation = "Temporal Isosurface"
+    look_from(view)
+    Render(view)
+    check(np.isclose(display.Isovalue, np.mean(RANGE)), "slider: it begins in the middle of the range",
+          display.Isovalue)
+    display.Isovalue = 210.0
+    Render(view)
+    check(np.isclose(statistic(display, "ShownIsovalues"), 210.0), "slider: its isovalue is shown",
+          statistic(display, "ShownIsovalues"))
+    display.Isovalue = 215.0
+    Render(view)
+    check(statistic(display, "Route") in ("IsomapBuild", "IsomapLookup"), "slider: a drag uses the isomap",
+          statistic(display, "Route"))
+    display.Isovalues = [120.0]
+    Render(view)
+    check(np.isclose(statistic(display, "ShownIsovalues"), 120.0), "slider: a list of isovalues counts first")
+    display.Isovalues = []
+    display.Isovalue = 5000.0
+    Render(view)
+    check(np.isclose(statistic(display, "ShownIsovalues"), np.mean(RANGE)),
+          "slider: beyond the range, the middle is shown", statistic(display, "ShownIsovalues"))
+
+
+def test_looks_of_surfaces():
+    """Each row of the table is the colour and the opacity of a surface."""
+    view = make_view()
+    display = show(make_wavelet(), view, [130.0, 220.0])
+    look_from(view)
+    display.Ambient, display.Diffuse = 1.0, 0.0
+    Render(view)
+    check(take_picture(view, "looks-none")[:, :, 2].max() > 250, "looks: without rows all are white")
+    display.SurfaceLooks = [1.0, 0.0, 0.0, 0.5, 0.0, 1.0, 0.0, 1.0]
+    mixed = take_picture(view, "looks-two")
+    both = ((mixed[:, :, 0] > 100) & (mixed[:, :, 1] > 100)).sum()
+    check(both > 100 and mixed[:, :, 2].max() == 0, "looks: the green surface is seen through the red one",
+          f"{both} pixels")
+    display.SurfaceLooks = [1.0, 0.0, 0.0, 1.0]
+    opaque = take_picture(view, "looks-one")
+    check(((opaque[:, :, 0] > 250) & (opaque[:, :, 1] == 0)).any() and (opaque[:, :, 1] < 255).sum() > 0,
+          "looks: a surface without a row keeps the colour of all")
+    Render(view)
+    check(statistic(display, "Route") == "Redisplay", "looks: they stay, and the picture is used again",
+          statistic(display, "Route"))
+    display.SurfaceLooks = []
+    check(take_picture(view, "looks-gone")[:, :, 2].max() > 250, "looks: without rows as before")
+
+
 def test_looks(view, display):
     """Colours and opacities."""
     solid = take_picture(view, "solid-color")
@@ -163,6 +215,8 @@ def main():
     """All properties."""
     test_defaults()
     test_isovalues_left_out()
+    test_single_isovalue()
+    test_looks_of_surfaces()
     view = make_view()
     display = show(make_wavelet(), view, [150.0])
     look_from(view)

@@ -36,6 +36,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -329,7 +330,6 @@ void vtkTemporalIsosurfaceRepresentation::UpdateMapperParameters()
     [&](vtkDataSet* dataSet)
     { return choice.In(dataSet) != nullptr && (IsAlone(controller) || HasVolume(dataSet)); }));
   this->ShowScalars(choice);
-  this->ShowColors();
   this->ShowRegion(part);
   if (part.Ranges.empty() && part.Whole.IsValid())
   {
@@ -341,6 +341,7 @@ void vtkTemporalIsosurfaceRepresentation::UpdateMapperParameters()
     return;
   }
   std::string mistake = this->ShowIsovalues(this->RangeOfScalars(part), choice.Name);
+  this->ShowColors();
   if (mistake.empty() && part.IsCut && this->IsTranslucent() &&
     this->GetMapper()->GetSurfaceMode() == vtkTemporalCoherenceVolumeMapper::THRESHOLD)
   {
@@ -383,8 +384,9 @@ std::array<double, 2> vtkTemporalIsosurfaceRepresentation::RangeOfScalars(
 }
 
 //------------------------------------------------------------------------------
-/// ParaView sets the volume representation's isovalues without being asked, to the middle of an
-/// array that need not be the one that is drawn: they count only where they fit it.
+/// ParaView sets the single isovalue and those of the volume representation without being asked, to
+/// the middle of an array that need not be the one that is drawn. So they count only where they fit
+/// it, and the single one only where it is not that middle.
 /// \param range of the values; first larger than second if it is not known
 std::vector<double> vtkTemporalIsosurfaceRepresentation::ChooseIsovalues(
   const std::array<double, 2>& range)
@@ -394,10 +396,16 @@ std::vector<double> vtkTemporalIsosurfaceRepresentation::ChooseIsovalues(
     return this->Isovalues;
   }
   const bool isKnown = range[0] <= range[1];
-  const bool fits = std::any_of(this->VolumeIsovalues.begin(), this->VolumeIsovalues.end(),
-    [&](double isovalue) { return isovalue >= range[0] && isovalue <= range[1]; });
-  return isKnown && !fits ? std::vector<double>{ 0.5 * (range[0] + range[1]) }
-                          : this->VolumeIsovalues;
+  const double middle = 0.5 * (range[0] + range[1]);
+  const auto fits = [&](double isovalue) { return isovalue >= range[0] && isovalue <= range[1]; };
+  if (fits(this->SingleIsovalue) &&
+    std::abs(this->SingleIsovalue - middle) > 1e-6 * (range[1] - range[0]))
+  {
+    return { this->SingleIsovalue };
+  }
+  return isKnown && std::none_of(this->VolumeIsovalues.begin(), this->VolumeIsovalues.end(), fits)
+    ? std::vector<double>{ middle }
+    : this->VolumeIsovalues;
 }
 
 //------------------------------------------------------------------------------
@@ -450,10 +458,56 @@ std::string vtkTemporalIsosurfaceRepresentation::ShowIsovalues(
 void vtkTemporalIsosurfaceRepresentation::ShowColors()
 {
   const bool hasTable = this->Table && this->IsColoredByArray();
-  this->Property->SetColor(hasTable ? this->Table.Get() : this->SolidColor.Get());
+  vtkColorTransferFunction* colors = hasTable ? this->Table.Get() : this->SolidColor.Get();
   const bool usesFunction = this->UseOpacityFunction && this->OpacityFunction;
-  this->Property->SetScalarOpacity(
-    usesFunction ? this->OpacityFunction.Get() : this->ConstantOpacity.Get());
+  vtkPiecewiseFunction* opacities =
+    usesFunction ? this->OpacityFunction.Get() : this->ConstantOpacity.Get();
+  if (!this->SurfaceLooks.empty())
+  {
+    this->ShowSurfaceLooks(colors, opacities);
+    colors = this->ColorsOfSurfaces;
+    opacities = this->OpacitiesOfSurfaces;
+  }
+  this->Property->SetColor(colors);
+  this->Property->SetScalarOpacity(opacities);
+}
+
+//------------------------------------------------------------------------------
+/// Give the functions of surfaces a node at each isovalue that is drawn. They are left alone if
+/// nothing is new, so that their pictures are used again.
+/// \param colors, opacities of isovalues without a look
+void vtkTemporalIsosurfaceRepresentation::ShowSurfaceLooks(
+  vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacities)
+{
+  std::map<double, Look> looks;
+  const auto count = static_cast<std::size_t>(this->ShownIsovalues->GetNumberOfTuples());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double isovalue = this->ShownIsovalues->GetValue(static_cast<vtkIdType>(i));
+    Look look;
+    if (i < this->SurfaceLooks.size())
+    {
+      look = this->SurfaceLooks[i];
+    }
+    else
+    {
+      colors->GetColor(isovalue, look.data());
+      look[3] = opacities->GetValue(isovalue);
+    }
+    looks[isovalue] = look;
+  }
+  if (looks == this->LooksInFunctions)
+  {
+    return;
+  }
+  this->LooksInFunctions = looks;
+  this->ColorsOfSurfaces->RemoveAllPoints();
+  this->OpacitiesOfSurfaces->RemoveAllPoints();
+  for (const auto& [isovalue, look] : looks)
+  {
+    this->ColorsOfSurfaces->AddRGBPoint(isovalue, look[0], look[1], look[2]);
+    this->OpacitiesOfSurfaces->AddPoint(isovalue, look[3]);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,8 @@
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <array>  // For std::array
+#include <limits> // For NaN
+#include <map>    // For std::map
 #include <string> // For std::string
 #include <vector> // For std::vector
 
@@ -55,12 +57,14 @@ public:
 
   ///@{
   /**
-   * What is drawn: these isovalues; if there are none, those that the volume representation has for
-   * its own isosurfaces, if at least one lies in the range of the values; else the middle of the
-   * values. Isovalues that are not finite numbers are left out, with a message.
+   * What is drawn: these isovalues. If there are none: the single isovalue, if it lies in the range
+   * of the values and is not its middle; else the isovalues that the volume representation has for
+   * its own isosurfaces, if at least one lies in the range; else the middle of the range.
+   * Isovalues that are not finite numbers are left out, with a message.
    */
   void SetNumberOfIsovalues(int number);
   void SetIsovalue(int i, double value);
+  void SetSingleIsovalue(double value);
   void SetNumberOfIsosurfaces(int number);
   void SetIsosurfaceValue(int i, double value);
   ///@}
@@ -75,6 +79,16 @@ public:
   void SetScalarOpacity(vtkPiecewiseFunction* function);
   void SetOpacity(double opacity);
   void SetUseOpacityFunction(bool uses);
+  ///@}
+
+  ///@{
+  /**
+   * Red, green, blue and opacity (0 to 1) of the i-th isovalue that is drawn, in place of the
+   * above. Isovalues without such a look keep colour and opacity of the above. Numbers beyond 0 and
+   * 1 are clamped.
+   */
+  void SetNumberOfSurfaceLooks(int number);
+  void SetSurfaceLook(int i, double red, double green, double blue, double opacity);
   ///@}
 
   /**
@@ -171,16 +185,24 @@ private:
   std::vector<double> ChooseIsovalues(const std::array<double, 2>& range);
   std::string ShowIsovalues(const std::array<double, 2>& range, const std::string& name);
   void ShowColors();
+  void ShowSurfaceLooks(vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacities);
   void ShowRegion(const DistributedPart& part);
   void ReportOnce(const std::string& message);
   void TakeStatistics(vtkObject* mapper, unsigned long event, void* isMade);
 
+  using Look = std::array<double, 4>; ///< red, green, blue, opacity
+
   std::vector<double> Isovalues;
   std::vector<double> VolumeIsovalues;
+  double SingleIsovalue = std::numeric_limits<double>::quiet_NaN(); ///< NaN: not set yet
+  std::vector<Look> SurfaceLooks;
+  std::map<double, Look> LooksInFunctions; ///< by isovalue
   vtkSmartPointer<vtkColorTransferFunction> Table;
   vtkSmartPointer<vtkPiecewiseFunction> OpacityFunction;
   vtkNew<vtkColorTransferFunction> SolidColor;
   vtkNew<vtkPiecewiseFunction> ConstantOpacity;
+  vtkNew<vtkColorTransferFunction> ColorsOfSurfaces;
+  vtkNew<vtkPiecewiseFunction> OpacitiesOfSurfaces;
   double Opacity = 1.0;
   bool UseOpacityFunction = false;
   bool Crops = false;

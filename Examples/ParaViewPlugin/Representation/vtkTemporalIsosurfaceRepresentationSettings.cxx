@@ -16,7 +16,8 @@ namespace
 {
 
 /// Lists arrive value by value.
-void SetAt(std::vector<double>& values, int i, double value)
+template <typename Value>
+void SetAt(std::vector<Value>& values, int i, const Value& value)
 {
   const auto place = static_cast<std::size_t>(std::max(i, 0));
   values.resize(std::max(values.size(), place + 1));
@@ -60,6 +61,13 @@ void vtkTemporalIsosurfaceRepresentation::SetNumberOfIsovalues(int number)
 void vtkTemporalIsosurfaceRepresentation::SetIsovalue(int i, double value)
 {
   SetAt(this->Isovalues, i, value);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetSingleIsovalue(double value)
+{
+  this->SingleIsovalue = value;
   this->Modified();
 }
 
@@ -120,9 +128,35 @@ void vtkTemporalIsosurfaceRepresentation::SetUseOpacityFunction(bool uses)
 }
 
 //------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetNumberOfSurfaceLooks(int number)
+{
+  const bool wasTranslucent = this->IsTranslucent();
+  this->SurfaceLooks.resize(static_cast<std::size_t>(std::max(number, 0)), Look{ 1, 1, 1, 1 });
+  this->Modified();
+  this->PrepareAgainUnless(wasTranslucent);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetSurfaceLook(
+  int i, double red, double green, double blue, double opacity)
+{
+  const bool wasTranslucent = this->IsTranslucent();
+  Look look = { red, green, blue, opacity };
+  for (double& number : look)
+  {
+    number = std::min(std::max(0.0, number), 1.0); // in this order NaN is 0
+  }
+  SetAt(this->SurfaceLooks, i, look);
+  this->Modified();
+  this->PrepareAgainUnless(wasTranslucent);
+}
+
+//------------------------------------------------------------------------------
 bool vtkTemporalIsosurfaceRepresentation::IsTranslucent()
 {
-  return this->UseOpacityFunction || this->Opacity < 1.0;
+  return this->UseOpacityFunction || this->Opacity < 1.0 ||
+    std::any_of(this->SurfaceLooks.begin(), this->SurfaceLooks.end(),
+      [](const Look& look) { return look[3] < 1.0; });
 }
 
 //------------------------------------------------------------------------------

@@ -76,11 +76,11 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
   }
 }
 
-RayBudget::Choice MapperFrames::ChooseRays(
-  const Viewer& viewer, std::int64_t pixels, double allowed, double most, int kind) const
+RayBudget::Choice MapperFrames::ChooseRays(const Viewer& viewer, std::int64_t pixels,
+  double allowed, double most, const RayBudget::Subject& subject) const
 {
   const auto state = this->Viewers.Find(viewer);
-  return (state ? state->Budget : RayBudget()).Choose(pixels, allowed, most, kind);
+  return (state ? state->Budget : RayBudget()).Choose(pixels, allowed, most, subject);
 }
 
 Isomap::Outcome MapperFrames::BuildIsomap(const Viewer& viewer, const FrameRequest& request,

@@ -59,6 +59,8 @@ private slots:
 
   void TheHistogramMovesIsovalues();
   void TheHistogramMovesOpacities();
+  void TheHistogramIsZoomed();
+  void FilesOfSamplesAloneAreAskedFor();
   void TheTableChangesSurfaces();
   void PanelsShowTheModel();
   void ClippingAndCropping();

@@ -12,12 +12,17 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QLabel>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTableWidget>
+#include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +74,71 @@ void ExplorerTests::TheHistogramMovesOpacities()
   QCOMPARE(nodes().size(), before);
   QTest::keyClick(histogram, Qt::Key_Insert);
   QCOMPARE(nodes().size(), before + 1);
+}
+
+// The value under the pointer stays there, and keys move by smaller steps.
+void ExplorerTests::TheHistogramIsZoomed()
+{
+  HistogramPanel* histogram = this->Window->Histogram();
+  const QPoint middle = histogram->PlaceOf(0.5), place = histogram->PlaceOf(0.25);
+  const auto turn = [&](int clicks, Qt::KeyboardModifiers keys)
+  {
+    QWheelEvent event(place, histogram->mapToGlobal(place), {}, QPoint(0, 120 * clicks),
+      Qt::NoButton, keys, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(histogram, &event);
+  };
+  turn(4, Qt::ControlModifier);
+  QVERIFY(std::abs(histogram->PlaceOf(0.25).x() - place.x()) <= 1);
+  QVERIFY(histogram->PlaceOf(0.5).x() > middle.x() + 20);
+  QTest::mouseClick(histogram, Qt::LeftButton, {}, place);
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+  const double value = *this->Bench->Data.State().Isovalue;
+  QVERIFY(std::abs(this->Bench->Data.ShareOf(value) - 0.25) < 0.01);
+  QTest::keyClick(histogram, Qt::Key_Right);
+  const double step = *this->Bench->Data.State().Isovalue - value;
+  QVERIFY(step > 0.0 && step < 0.5 * this->Bench->Data.StepOfValues());
+  const int before = histogram->PlaceOf(0.25).x();
+  turn(-1, Qt::ShiftModifier);
+  QVERIFY(histogram->PlaceOf(0.25).x() < before);
+  turn(-30, Qt::ControlModifier);
+  QCOMPARE(histogram->PlaceOf(0.5), middle);
+}
+
+// Files of samples alone tell nothing of themselves.
+void ExplorerTests::FilesOfSamplesAloneAreAskedFor()
+{
+  std::string samples;
+  for (int i = 0; i < 5 * 4 * 3; ++i)
+  {
+    samples += static_cast<char>(i);
+  }
+  const QString path = this->Directory.filePath("samples.raw");
+  Write(path, samples);
+  const auto answer = [this, &path](int x, bool isRight)
+  {
+    QTimer::singleShot(0, this,
+      [=]
+      {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        const QList<QSpinBox*> counts = dialog->findChildren<QSpinBox*>();
+        counts[0]->setValue(x);
+        counts[1]->setValue(4);
+        counts[2]->setValue(3);
+        auto* button = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
+        QCOMPARE(button->isEnabled(), isRight);
+        isRight ? dialog->accept() : dialog->reject();
+      });
+    this->Bench->OpenPath(path);
+  };
+  const std::string before = this->Bench->Data.State().Source.Path;
+  answer(6, false);
+  QVERIFY(!this->Bench->IsBusy());
+  QCOMPARE(this->Bench->Data.State().Source.Path, before);
+  QSignalSpy opened(this->Bench.get(), &Workbench::Opened);
+  answer(5, true);
+  QVERIFY(opened.wait(Patience));
+  QCOMPARE(this->Bench->Data.Counted().Range[1], 59.0);
+  QVERIFY(this->Bench->Data.Description().find("5 x 4 x 3") == 0);
 }
 
 void ExplorerTests::TheTableChangesSurfaces()

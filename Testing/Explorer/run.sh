@@ -359,7 +359,7 @@ check_choices()
   [ "$(last_frame | field route)" = Reshade ] || fail "new colours cast rays: $(last_frame)"
   turn_all m material satin matt glossy flat
   turn_all l light studio head side rim
-  turn_all v surface crossing solid
+  turn_all v surface open solid
   turn_all a accuracy exact paper
   turn_all c image-cache on off
   turn_all i isomap on off

@@ -153,6 +153,7 @@ void Model::Adopt(Request& request)
     look.Surfaces[0].Value = *request.Wanted.Isovalue;
     look.Nodes.resize(request.IsSameFile ? 0 : look.Nodes.size());
     look.Greys.resize(request.IsSameFile ? 0 : look.Greys.size());
+    look.Values[Row::Brightness] = request.IsSameFile ? 0.0 : look.Values[Row::Brightness];
   }
   // First, as a plane may be placed to suit the view.
   const bool hasCamera = request.IsSameFile || request.Wanted.HasCamera;
@@ -250,7 +251,8 @@ Look Model::Fitted(Look look) const
   for (std::size_t row = Row::Shading; row < Row::Count; ++row)
   {
     const auto [least, most] = this->RangeOf(AllSettings()[row]);
-    look.Values[row] = std::clamp(look.Values[row], least, most);
+    const bool isToBeFitted = row == Row::Brightness && look.Values[row] == 0.0;
+    look.Values[row] = isToBeFitted ? 0.0 : std::clamp(look.Values[row], least, most);
   }
   for (std::size_t to = Row::Crop + 1; to < Row::Count; to += 2)
   {
@@ -263,6 +265,11 @@ void Model::SetSettings(const Look& look, bool isShown)
 {
   this->Current.Settings = this->Fitted(look);
   this->Current.Isovalue = this->Current.Settings.Surfaces[0].Value;
+  if (isShown && this->AddsUp() && this->Current.Settings.Values[Row::Brightness] == 0.0)
+  {
+    this->Current.Settings.Values[Row::Brightness] =
+      this->View.FittingBrightness(this->Current.Settings);
+  }
   if (isShown)
   {
     this->Apply();
@@ -351,6 +358,7 @@ void Model::SetChoice(Look& look, std::size_t choice, int word) const
   else if (choice == Row::Drawing)
   {
     look.Greys.clear(); // those that suit it
+    look.Values[Row::Brightness] = 0.0;
   }
 }
 

@@ -62,6 +62,10 @@ public:
   bool DrawsSurfaces() const { return !this->Blends(); }
   // Projections show one value of a ray, in grey.
   bool Projects() const { return this->Blends() && this->Settings().IsProjection(); }
+  bool AddsUp() const
+  {
+    return this->Blends() && this->Settings().Choice(Row::Drawing) >= Drawing::Average;
+  }
   bool HasNodes() const { return this->Blends() && !this->Projects(); }
   bool HasOpacities() const { return !this->Projects(); }
   bool CanShowCut() const { return this->View.CanShowCut(); }

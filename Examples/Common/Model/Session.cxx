@@ -81,6 +81,7 @@ public:
     std::string word = words[static_cast<std::size_t>(index)];
     this->Take(word);
     word = word == "bounded" ? "exact" : word; // an accuracy of versions 0.1 and 0.2
+    word = word == "crossing" ? "open" : word; // a surface of these versions
     const auto at = std::find(words.begin(), words.end(), word);
     Expect(at != words.end());
     index = static_cast<double>(at - words.begin());

@@ -50,8 +50,9 @@ struct Row
     OcclusionRadius = Shading + 4, // as a share of the longest edge
     OcclusionStrength,
     Density,
-    Shift, // of the nodes, since the preset was chosen
-    Crop,  // a box along the data's own axes
+    Brightness, // of averages and sums; 0: it is to be fitted
+    Shift,      // of the nodes, since the preset was chosen
+    Crop,       // a box along the data's own axes
     Count = Crop + 6,
     Opacity = Count, // is that of the selected marker
     Window,          // these two are those of the greys

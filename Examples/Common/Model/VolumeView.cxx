@@ -255,6 +255,11 @@ void VolumeView::Apply(Look& look)
   const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
   property->SetScalarOpacityUnitDistance(
     std::max(0.01 * diagonal / look.Values[Row::Density], 1e-30));
+  const bool addsUp = !areSurfaces && drawing >= Drawing::Average;
+  const double brightness = look.Values[Row::Brightness];
+  const double window = addsUp && brightness > 0.0 ? 1.0 / brightness : 1.0;
+  this->Mapper->SetFinalColorWindow(static_cast<float>(window));
+  this->Mapper->SetFinalColorLevel(static_cast<float>(0.5 * window));
   this->Mapper->SetSurfaceMode(look.Choice(Row::Surface));
   this->Mapper->SetSmoothMeshNormals(look.Values[Row::Gradients] != 0);
   this->Mapper->SetAmbientOcclusion(areSurfaces && look.Values[Row::Occlusion] != 0);
@@ -280,6 +285,35 @@ void VolumeView::Apply(Look& look)
     this->Mapper->AddClippingPlane(this->Clip);
   }
   this->Beside.Apply(look, property->GetRGBTransferFunction());
+}
+
+// From small pictures: a dark one has few greys, and is looked at again.
+double VolumeView::FittingBrightness(Look look)
+{
+  constexpr int side = 32, trials = 3;
+  const std::array<double, 2>& limits = AllSettings()[Row::Brightness].Range;
+  double& brightness = look.Values[Row::Brightness];
+  brightness = 1.0;
+  this->Renderer->ResetCameraClippingRange();
+  for (int trial = 0; trial < trials; ++trial)
+  {
+    this->Apply(look);
+    vtkNew<vtkImageData> picture;
+    if (!this->Mapper->MakeImage(this->Renderer, this->Actor, side, side, picture, nullptr))
+    {
+      return 1.0;
+    }
+    const auto* color = static_cast<const unsigned char*>(picture->GetScalarPointer());
+    double sum = 0.0, seen = 0.0;
+    for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i, color += 4)
+    {
+      sum += color[0];
+      seen += color[3] > 0 ? 255.0 : 0.0;
+    }
+    brightness *= std::clamp(0.5 * seen / std::max(sum, 1.0), 0.1, 30.0);
+    brightness = std::clamp(brightness, limits[0], limits[1]);
+  }
+  return brightness;
 }
 
 // In the world.

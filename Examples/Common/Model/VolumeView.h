@@ -41,6 +41,9 @@ public:
   bool HasAnnotations() const { return this->Beside.HasAny(); }
   void Apply(Look& look); // tells the shading that it has, if that is the material's
 
+  // With it, averages and sums are half as bright as they can be, in the mean of what is seen.
+  double FittingBrightness(Look look);
+
   // All of the volume is seen; the axes are those of the command line.
   void LookFrom(const std::string& from, const std::string& up);
   CameraState Camera() const;

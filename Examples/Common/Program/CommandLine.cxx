@@ -65,15 +65,6 @@ void ParseSize(const std::string& text, CommonOptions& options)
   }
 }
 
-const std::map<std::string, int>& ScalarTypes()
-{
-  static const std::map<std::string, int> types = { { "uchar", VTK_UNSIGNED_CHAR },
-    { "char", VTK_SIGNED_CHAR }, { "ushort", VTK_UNSIGNED_SHORT }, { "short", VTK_SHORT },
-    { "uint", VTK_UNSIGNED_INT }, { "int", VTK_INT }, { "float", VTK_FLOAT },
-    { "double", VTK_DOUBLE } };
-  return types;
-}
-
 std::string ParseAxis(const std::string& option, const std::string& text)
 {
   const std::string axis = text.size() == 1 ? "+" + text : text;
@@ -108,6 +99,15 @@ int ParseCount(const std::string& option, const std::string& text, int most)
       Quoted(text) + ".");
   }
   return count;
+}
+
+const std::map<std::string, int>& ScalarTypes()
+{
+  static const std::map<std::string, int> types = { { "uchar", VTK_UNSIGNED_CHAR },
+    { "char", VTK_SIGNED_CHAR }, { "ushort", VTK_UNSIGNED_SHORT }, { "short", VTK_SHORT },
+    { "uint", VTK_UNSIGNED_INT }, { "int", VTK_INT }, { "float", VTK_FLOAT },
+    { "double", VTK_DOUBLE } };
+  return types;
 }
 
 RawLayout ParseRaw(const std::string& text)

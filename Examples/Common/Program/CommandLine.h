@@ -49,6 +49,9 @@ private:
 // A whole number from 1 to the most there may be.
 int ParseCount(const std::string& option, const std::string& text, int most);
 
+// VTK's types by their names: uchar, short, float and so on.
+const std::map<std::string, int>& ScalarTypes();
+
 // NX,NY,NZ,TYPE[,SX,SY,SZ], and the same the other way round.
 RawLayout ParseRaw(const std::string& text);
 std::string RawAsText(const RawLayout& layout);

@@ -15,8 +15,9 @@
 namespace
 {
 
-constexpr double Reach = 12.0; // pixels from a marker that still grab it
-constexpr double Faint = 0.35; // opacity
+constexpr double Reach = 12.0;     // pixels from a marker that still grab it
+constexpr double Faint = 0.35;     // opacity
+constexpr double LeastSeen = 0.01; // of the range of values
 
 }
 
@@ -27,7 +28,8 @@ HistogramPanel::HistogramPanel(Workbench& bench)
   this->setObjectName("histogram");
   this->setAccessibleName(tr("Histogram with isovalues and opacity"));
   this->setToolTip(tr("Drag a marker: the isovalue of a surface, or a node of the opacity.\n"
-                      "Right click: its colour. Double click: another node."));
+                      "Right click: its colour. Double click: another node.\n"
+                      "Ctrl and wheel: fewer values are seen. Shift and wheel: others."));
   const int line = this->fontMetrics().height();
   this->setMinimumSize(12 * line, 5 * line);
   this->setFocusPolicy(Qt::StrongFocus);
@@ -42,7 +44,7 @@ HistogramPanel::HistogramPanel(Workbench& bench)
         this->Refresh();
       }
     });
-  QObject::connect(&bench, &Workbench::Opened, this, &HistogramPanel::Refresh);
+  QObject::connect(&bench, &Workbench::Opened, this, [this] { this->Zoom(0.0, 0.0); });
 }
 
 QRect HistogramPanel::Plot() const
@@ -53,25 +55,53 @@ QRect HistogramPanel::Plot() const
 
 QPoint HistogramPanel::PlaceOf(double share) const
 {
+  return { static_cast<int>(std::lround(this->XOf(share))), this->Plot().center().y() };
+}
+
+double HistogramPanel::XOf(double share) const
+{
   const QRect plot = this->Plot();
-  return { plot.x() + static_cast<int>(std::lround(share * (plot.width() - 1))),
-    plot.center().y() };
+  const double part = (share - this->Seen[0]) / (this->Seen[1] - this->Seen[0]);
+  return plot.x() + part * (plot.width() - 1);
+}
+
+double HistogramPanel::ShareAt(double x) const
+{
+  const QRect plot = this->Plot();
+  const double part = (x - plot.x()) / std::max(plot.width() - 1, 1);
+  return std::clamp(this->Seen[0] + part * (this->Seen[1] - this->Seen[0]), 0.0, 1.0);
+}
+
+void HistogramPanel::Zoom(double factor, double x)
+{
+  const double middle = this->ShareAt(x);
+  const double width = this->Seen[1] - this->Seen[0];
+  const double next = factor > 0.0 ? std::clamp(width / factor, LeastSeen, 1.0) : 1.0;
+  const double from = middle - (middle - this->Seen[0]) * next / width;
+  this->Seen = { from, from + next };
+  this->Move(0.0);
+}
+
+void HistogramPanel::Move(double share)
+{
+  const double width = this->Seen[1] - this->Seen[0];
+  const double from = std::clamp(this->Seen[0] + share, 0.0, 1.0 - width);
+  this->Seen = { from, from + width };
+  this->Refresh();
 }
 
 QPointF HistogramPanel::PlaceOf(const Marker& marker) const
 {
   const QRect plot = this->Plot();
-  const double share = this->Data.ShareOf(marker.Value);
   const double height = this->Data.DrawsSurfaces() ? 1.0 : marker.Opacity;
-  return { plot.x() + share * (plot.width() - 1), plot.bottom() - height * plot.height() };
+  return { this->XOf(this->Data.ShareOf(marker.Value)), plot.bottom() - height * plot.height() };
 }
 
 Marker HistogramPanel::MarkerAt(const QPoint& place) const
 {
   const QRect plot = this->Plot();
-  const double share = static_cast<double>(place.x() - plot.x()) / std::max(plot.width() - 1, 1);
   const double height = static_cast<double>(plot.bottom() - place.y()) / plot.height();
-  return { this->Data.ValueAt(std::clamp(share, 0.0, 1.0)), std::clamp(height, 0.0, 1.0) };
+  return { this->Data.ValueAt(this->ShareAt(place.x())), std::clamp(height, 0.0, 1.0) };
 }
 
 int HistogramPanel::Nearest(const QPoint& place) const
@@ -110,7 +140,8 @@ void HistogramPanel::MakeBars()
   std::vector<double> of = counted.Bins;
   const QColor ground = this->palette().color(QPalette::Window);
   of.insert(of.end(),
-    { 1.0 * plot.width(), 1.0 * plot.height(), this->devicePixelRatioF(), 1.0 * ground.rgb() });
+    { 1.0 * plot.width(), 1.0 * plot.height(), this->devicePixelRatioF(), 1.0 * ground.rgb(),
+      this->Seen[0], this->Seen[1] });
   std::vector<QColor> colors;
   for (std::size_t bin = 0; bin < count; ++bin)
   {
@@ -130,7 +161,7 @@ void HistogramPanel::MakeBars()
   for (int x = 0; x < plot.width(); ++x)
   {
     const auto bin =
-      static_cast<std::size_t>(x) * (count - 1) / static_cast<std::size_t>(plot.width());
+      static_cast<std::size_t>(this->ShareAt(plot.x() + x) * static_cast<double>(count - 1));
     const double height = plot.height() * std::log1p(counted.Bins[bin]) / std::log1p(most);
     painter.fillRect(QRectF(plot.x() + x, plot.bottom() + 1 - height, 1.0, height), colors[bin]);
   }
@@ -213,12 +244,17 @@ void HistogramPanel::paintEvent(QPaintEvent* event)
   this->MakeBars();
   this->DrawBars(painter);
   painter.setRenderHint(QPainter::Antialiasing);
+  const int line = this->fontMetrics().height();
+  painter.setClipRect(this->Plot().adjusted(-line, -2 * line, line, line));
   this->DrawMarkers(painter);
-  const std::array<double, 2>& range = this->Data.Counted().Range;
+  painter.setClipping(false);
   const QRect foot = this->rect().adjusted(0, this->Plot().bottom() + 2, 0, 0);
+  const auto valueAt = [&](double part)
+  { return Short(this->Data.ValueAt(this->Seen[0] + part * (this->Seen[1] - this->Seen[0]))); };
   painter.setPen(this->palette().color(QPalette::WindowText));
-  painter.drawText(foot, Qt::AlignLeft, " " + Short(range[0]));
-  painter.drawText(foot, Qt::AlignRight, Short(range[1]) + " ");
+  painter.drawText(foot, Qt::AlignLeft, " " + valueAt(0.0));
+  painter.drawText(foot, Qt::AlignHCenter, valueAt(0.5));
+  painter.drawText(foot, Qt::AlignRight, valueAt(1.0) + " ");
   if (this->hasFocus())
   {
     painter.setPen(QPen(this->palette().color(QPalette::Highlight), 1, Qt::DotLine));
@@ -250,7 +286,7 @@ void HistogramPanel::MoveBy(double steps, double opacity)
   this->Bench.EditMarker(isSurface ? tr("isovalue") : tr("opacity"),
     [=](Marker& marker)
     {
-      marker.Value += steps * this->Data.StepOfValues();
+      marker.Value += steps * this->Data.StepOfValues() * (this->Seen[1] - this->Seen[0]);
       marker.Opacity += isSurface ? 0.0 : opacity;
     });
 }
@@ -304,7 +340,19 @@ void HistogramPanel::mouseDoubleClickEvent(QMouseEvent* event)
 
 void HistogramPanel::wheelEvent(QWheelEvent* event)
 {
-  this->MoveBy(event->angleDelta().y() / 120.0, 0.0);
+  const double clicks = event->angleDelta().y() / 120.0;
+  if (event->modifiers() & Qt::ControlModifier)
+  {
+    this->Zoom(std::pow(1.25, clicks), event->position().x());
+  }
+  else if (event->modifiers() & Qt::ShiftModifier)
+  {
+    this->Move(-0.1 * clicks * (this->Seen[1] - this->Seen[0]));
+  }
+  else
+  {
+    this->MoveBy(clicks, 0.0);
+  }
 }
 
 void HistogramPanel::keyPressEvent(QKeyEvent* event)

@@ -8,6 +8,8 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include <array>
+
 class Model;
 class Workbench;
 
@@ -19,6 +21,7 @@ public:
   explicit HistogramPanel(Workbench& bench);
 
   QPoint PlaceOf(double share) const; // of the range of values
+  void Zoom(double factor, double x); // about a place of the panel; 0: all values are seen
   QSize sizeHint() const override { return 2 * this->minimumSize(); }
 
 protected:
@@ -32,6 +35,9 @@ protected:
 
 private:
   QRect Plot() const;
+  double XOf(double share) const;
+  double ShareAt(double x) const;
+  void Move(double share); // what is seen of the values
   QPointF PlaceOf(const Marker& marker) const;
   Marker MarkerAt(const QPoint& place) const;
   int Nearest(const QPoint& place) const; // marker within reach; -1: none
@@ -44,7 +50,8 @@ private:
 
   Workbench& Bench;
   const Model& Data;
-  bool IsLate = false; // until the next frame
+  std::array<double, 2> Seen = { 0.0, 1.0 }; // shares of the range of values
+  bool IsLate = false;                       // until the next frame
   QPixmap Bars;
   std::vector<double> BarsOf; // what they were made of
 };

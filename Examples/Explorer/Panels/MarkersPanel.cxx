@@ -154,6 +154,7 @@ QWidget* MakeMarkersPanel(
   form->AddButtons(buttons);
   form->AddSetting(AllSettings()[Row::Opacity]);
   form->AddSetting(AllSettings()[Row::Density]);
+  form->AddSetting(AllSettings()[Row::Brightness]);
   form->AddSetting(AllSettings()[Row::Surface]);
   form->AddSetting(AllSettings()[Row::Palette]);
   return form;

@@ -44,6 +44,9 @@ void AskPicture(QMainWindow& window, Workbench& bench);
 void AskTriangles(QMainWindow& window, Workbench& bench);
 void AskFilm(QMainWindow& window, Workbench& bench);
 
+// How the samples of a file lie that tells nothing of it; none: the dialog was left.
+std::optional<RawLayout> AskRaw(QWidget& window, const QString& path);
+
 // A window as it is seen. Throws UserError.
 void SaveWindow(QWidget& window, const std::string& path);
 

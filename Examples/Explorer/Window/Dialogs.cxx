@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/Commands.h"
 
+#include "Program/CommandLine.h"
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 #include "Work/Workbench.h"
@@ -11,13 +12,22 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QLabel>
 #include <QMainWindow>
 #include <QPixmap>
+#include <QPushButton>
 #include <QSpinBox>
+
+#include <vtkDataArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace
 {
@@ -77,7 +87,7 @@ void AskOpen(QMainWindow& window, Workbench& bench)
 void AskOpenFolder(QMainWindow& window, Workbench& bench)
 {
   bench.OpenPath(QFileDialog::getExistingDirectory(
-    &window, QObject::tr("Open a folder of DICOM files"), Directory(bench)));
+    &window, QObject::tr("Open a folder of DICOM files, or of pictures"), Directory(bench)));
 }
 
 void AskSaveSession(QMainWindow& window, Workbench& bench)
@@ -160,6 +170,76 @@ void AskFilm(QMainWindow& window, Workbench& bench)
     options.Height = dialog.Height->value();
     bench.MakeFilm(options);
   }
+}
+
+// It can be opened once the layout has as many bytes as the file.
+std::optional<RawLayout> AskRaw(QWidget& window, const QString& path)
+{
+  const qint64 bytes = QFileInfo(path).size();
+  QDialog dialog(&window);
+  dialog.setWindowTitle(
+    QObject::tr("How do the samples of %1 lie?").arg(QFileInfo(path).fileName()));
+  auto* rows = new QFormLayout(&dialog);
+  std::array<QSpinBox*, 3> counts;
+  std::array<QDoubleSpinBox*, 3> distances;
+  const int side = std::max(1, static_cast<int>(std::lround(std::cbrt(bytes))));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    counts[axis] = new QSpinBox;
+    counts[axis]->setRange(1, 1 << 20);
+    counts[axis]->setValue(side);
+    rows->addRow(QObject::tr("Samples in %1").arg("xyz"[axis]), counts[axis]);
+  }
+  auto* type = new QComboBox;
+  for (const auto& [name, number] : ScalarTypes())
+  {
+    type->addItem(QString::fromStdString(name), number);
+  }
+  type->setCurrentText("uchar");
+  rows->addRow(QObject::tr("Type"), type);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    distances[axis] = new QDoubleSpinBox;
+    distances[axis]->setDecimals(6);
+    distances[axis]->setRange(1e-6, 1e6);
+    distances[axis]->setValue(1.0);
+    rows->addRow(QObject::tr("Distance in %1").arg("xyz"[axis]), distances[axis]);
+  }
+  auto* sizes = new QLabel;
+  rows->addRow(sizes);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
+  rows->addRow(buttons);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  const auto compare = [&]
+  {
+    double needed = vtkDataArray::GetDataTypeSize(type->currentData().toInt());
+    for (const QSpinBox* count : counts)
+    {
+      needed *= count->value();
+    }
+    sizes->setText(
+      QObject::tr("The file has %1 bytes, these samples %2.").arg(bytes).arg(needed, 0, 'f', 0));
+    buttons->button(QDialogButtonBox::Open)->setEnabled(needed == static_cast<double>(bytes));
+  };
+  QObject::connect(type, &QComboBox::currentTextChanged, &dialog, compare);
+  for (QSpinBox* count : counts)
+  {
+    QObject::connect(count, QOverload<int>::of(&QSpinBox::valueChanged), &dialog, compare);
+  }
+  compare();
+  if (dialog.exec() != QDialog::Accepted)
+  {
+    return std::nullopt;
+  }
+  RawLayout layout;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    layout.Dimensions[axis] = counts[axis]->value();
+    layout.Spacing[axis] = distances[axis]->value();
+  }
+  layout.ScalarType = type->currentData().toInt();
+  return layout;
 }
 
 void SaveWindow(QWidget& window, const std::string& path)

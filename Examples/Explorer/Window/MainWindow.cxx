@@ -90,6 +90,7 @@ MainWindow::MainWindow(Workbench& bench)
       QFileInfo(name).absolutePath());
     return chosen.isEmpty() ? path : QFile::encodeName(chosen).toStdString();
   };
+  bench.OnRaw = [this](const QString& path) { return AskRaw(*this, path); };
   QObject::connect(&bench, &Workbench::Settled, this, &MainWindow::ShowState);
   QObject::connect(&bench, &Workbench::Opened, this, &MainWindow::OnOpened);
   this->ShowState();

@@ -409,6 +409,14 @@ void Workbench::OpenPath(const QString& name)
   session.Source.Path = path;
   const auto& now = this->Data.Settings().Values;
   std::copy(now.begin(), now.begin() + Row::Density, session.Settings.Values.begin());
+  if (this->OnRaw && name.endsWith(".raw", Qt::CaseInsensitive))
+  {
+    session.Source.Raw = this->OnRaw(name);
+    if (!session.Source.Raw)
+    {
+      return; // the dialog was left
+    }
+  }
   if (IsSessionName(path))
   {
     this->SessionFile = path;

@@ -108,6 +108,8 @@ public:
   std::string SessionFile;                                  // to save to and to restore from
   std::function<void(const std::string&)> OnRefused;        // while set, it is told of what fails
   std::function<std::string(const std::string&)> OnMissing; // where the volume of a session is now
+  std::function<std::optional<RawLayout>(const QString&)>
+    OnRaw; // what lies in a file of samples alone
 
 signals:
   void Leaving();                // the file that is open, for another one

@@ -5,6 +5,7 @@
 // by pixel.
 
 #include "Checks/Expect.h"
+#include "Scenes/OffScreen.h"
 #include "Scenes/Scene.h"
 #include "Volumes/Volumes.h"
 
@@ -24,13 +25,6 @@ namespace
 {
 
 constexpr int Size = 300;
-vtkNew<vtkUnsignedCharArray> PixelsOf(vtkRenderWindow* window)
-{
-  vtkNew<vtkUnsignedCharArray> pixels;
-  const int* size = window->GetSize();
-  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  return pixels;
-}
 
 /// A ball of radius 0.5 as a distance field.
 vtkSmartPointer<vtkImageData> Ball(int n)

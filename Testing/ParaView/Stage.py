@@ -93,6 +93,13 @@ def take_picture(view, name):
     return read_picture(path)
 
 
+def take_final_picture(view, name):
+    """A picture whose edges are smooth, as they become in a view that stands still."""
+    for _ in range(3):
+        Render(view)
+    return take_picture(view, name)
+
+
 def count_different(a, b, tolerance=0):
     """Pixels in which two pictures differ by more than a tolerance in any colour."""
     return int((np.abs(a - b).max(axis=2) > tolerance).sum())

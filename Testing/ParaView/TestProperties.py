@@ -6,7 +6,7 @@ import numpy as np
 
 from Stage import (ColorBy, Gradient, GetColorTransferFunction, GetOpacityTransferFunction, Render, Show,
                    check, count_different, look_from, make_view, make_wavelet, show, statistic,
-                   take_picture)
+                   take_final_picture)
 
 RANGE = (34.01525497436, 286.34109497070)  # of the wavelet's values
 
@@ -23,7 +23,7 @@ def test_defaults():
           statistic(display, "ScalarRange"))
     check(np.isclose(statistic(display, "ShownIsovalues"), np.mean(RANGE)),
           "default: the isovalue is the middle", statistic(display, "ShownIsovalues"))
-    check((take_picture(view, "default") > 0).any(), "default: there is a picture without ColorBy")
+    check((take_final_picture(view, "default") > 0).any(), "default: there is a picture without ColorBy")
     check(statistic(display, "NumberOfRays") == 400 * 400, "statistics: a ray a pixel")
     check(statistic(display, "FrameMilliseconds") > 0.0, "statistics: milliseconds",
           f"{statistic(display, 'FrameMilliseconds'):.3f}")
@@ -52,7 +52,7 @@ def test_isovalues_left_out():
     check(np.isclose(statistic(display, "ShownIsovalues"), np.mean(range_of_lengths)),
           "default: of another array, the isovalue is the middle of that one",
           f"{statistic(display, 'ShownIsovalues')} of {range_of_lengths}")
-    check((take_picture(view, "default-gradient") > 0).any(),
+    check((take_final_picture(view, "default-gradient") > 0).any(),
           "default: there is a picture of another array")
     display.IsosurfaceValues = [5.0, 10.0]
     Render(view)
@@ -95,59 +95,59 @@ def test_looks_of_surfaces():
     look_from(view)
     display.Ambient, display.Diffuse = 1.0, 0.0
     Render(view)
-    check(take_picture(view, "looks-none")[:, :, 2].max() > 250, "looks: without rows all are white")
+    check(take_final_picture(view, "looks-none")[:, :, 2].max() > 250, "looks: without rows all are white")
     display.SurfaceLooks = [1.0, 0.0, 0.0, 0.5, 0.0, 1.0, 0.0, 1.0]
-    mixed = take_picture(view, "looks-two")
+    mixed = take_final_picture(view, "looks-two")
     both = ((mixed[:, :, 0] > 100) & (mixed[:, :, 1] > 100)).sum()
     check(both > 100 and mixed[:, :, 2].max() == 0, "looks: the green surface is seen through the red one",
           f"{both} pixels")
     display.SurfaceLooks = [1.0, 0.0, 0.0, 1.0]
-    opaque = take_picture(view, "looks-one")
+    opaque = take_final_picture(view, "looks-one")
     check(((opaque[:, :, 0] > 250) & (opaque[:, :, 1] == 0)).any() and (opaque[:, :, 1] < 255).sum() > 0,
           "looks: a surface without a row keeps the colour of all")
     Render(view)
     check(statistic(display, "Route") == "Redisplay", "looks: they stay, and the picture is used again",
           statistic(display, "Route"))
     display.SurfaceLooks = []
-    check(take_picture(view, "looks-gone")[:, :, 2].max() > 250, "looks: without rows as before")
+    check(take_final_picture(view, "looks-gone")[:, :, 2].max() > 250, "looks: without rows as before")
 
 
 def test_looks(view, display):
     """Colours and opacities."""
-    solid = take_picture(view, "solid-color")
+    solid = take_final_picture(view, "solid-color")
     ColorBy(display, ("POINTS", "RTData"))
     table = GetColorTransferFunction("RTData")
     table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 300.0, 1.0, 0.0, 0.0]
     table.ColorSpace = "RGB"
     display.Ambient, display.Diffuse = 1.0, 0.0
-    color = take_picture(view, "table-color").max(axis=(0, 1))
+    color = take_final_picture(view, "table-color").max(axis=(0, 1))
     check(abs(color[0] - 127.5) < 2 and color[1] == 0 and abs(color[2] - 127.5) < 2,
           "colour: that of the lookup table at the isovalue", f"{color} at 150 of 300")
     display.Ambient, display.Diffuse = 0.0, 1.0
     display.Opacity = 0.5
-    half = take_picture(view, "half-opaque")
+    half = take_final_picture(view, "half-opaque")
     check(0.4 * solid.max() < half.max() < 0.95 * solid.max(), "opacity: one for all", half.max())
     display.Opacity = 1.0
     GetOpacityTransferFunction("RTData").Points = [0.0, 0.0, 0.5, 0.0, 300.0, 0.0, 0.5, 0.0]
     display.UseOpacityFunction = 1
-    nothing = take_picture(view, "opacity-function")
+    nothing = take_final_picture(view, "opacity-function")
     check(nothing.max() == 0, "opacity: that of the opacity function where it is asked for")
     display.UseOpacityFunction = 0
     ColorBy(display, None)
-    check(count_different(take_picture(view, "solid-again"), solid) == 0,
+    check(count_different(take_final_picture(view, "solid-again"), solid) == 0,
           "colour: a solid one without an array")
 
 
 def test_settings(view, display):
     """What steers the mapper."""
-    crossing = take_picture(view, "crossing")
+    crossing = take_final_picture(view, "crossing")
     display.SurfaceMode = "Threshold"
-    check(count_different(take_picture(view, "threshold"), crossing) > 0,
+    check(count_different(take_final_picture(view, "threshold"), crossing) > 0,
           "SurfaceMode: solids are closed where the volume ends")
     display.SurfaceMode = "Crossing"
 
     display.UseCropping, display.CroppingScale = 1, [0.5, 1.0, 1.0]
-    cropped = (take_picture(view, "cropped") > 0).any(axis=2).sum()
+    cropped = (take_final_picture(view, "cropped") > 0).any(axis=2).sum()
     check(0 < cropped < (crossing > 0).any(axis=2).sum(), "UseCropping: a box is left",
           f"{cropped} pixels")
     display.UseCropping, display.CroppingScale = 0, [1.0, 1.0, 1.0]
@@ -159,18 +159,18 @@ def test_settings(view, display):
     turn()
     Render(view) # from here on a view can start from the last picture
     turn()
-    picture = take_picture(view, "answers")
+    picture = take_final_picture(view, "answers")
     yellow = ((picture[:, :, 0] > 60) & (picture[:, :, 2] == 0)).sum()
     check(yellow > 0, "ColorByAnswer: what the cache did not know is yellow", f"{yellow} pixels")
     display.RefineWhenStill, display.ColorByAnswer, display.ReuseAccuracy = 1, 0, "Exact"
 
-    plain = take_picture(view, "without-statistics")
+    plain = take_final_picture(view, "without-statistics")
     display.ShowStatistics = 1
     Render(view)
-    written = count_different(take_picture(view, "with-statistics"), plain)
+    written = count_different(take_final_picture(view, "with-statistics"), plain)
     check(written > 100, "ShowStatistics: a line is written", f"{written} pixels")
     display.ShowStatistics = 0
-    check(count_different(take_picture(view, "without-again"), plain) == 0,
+    check(count_different(take_final_picture(view, "without-again"), plain) == 0,
           "ShowStatistics: and taken away")
 
     def route_after(change):

@@ -3,7 +3,7 @@
 """An orbit and a sweep of the isovalue: what was used again, by counters; the pictures, by cold ones."""
 
 from Stage import (Render, check, count_different, look_from, make_view, make_wavelet,
-                   route_counts, show, statistic, take_picture)
+                   route_counts, show, statistic, take_final_picture)
 
 VIEWS = 20
 
@@ -15,7 +15,7 @@ def cold_picture(view, display, name):
     camera.Azimuth(90.0)
     Render(view)
     camera.Azimuth(-90.0)
-    picture = take_picture(view, name)
+    picture = take_final_picture(view, name)
     display.ReuseFrames = display.Isomap = 1
     return picture
 
@@ -42,12 +42,12 @@ def test_orbit(view, display):
     share = max(traced) / slowest_rays
     check(share < 0.6, "orbit: fewer rays are traced", f"at most {100 * share:.0f} %")
 
-    take_picture(view, "orbit")
+    take_final_picture(view, "orbit")
     display.RefineWhenStill = 1
     Render(view)
     check(statistic(display, "Route") == "Cold", "orbit: the repeated view is completed",
           statistic(display, "Route"))
-    refined = take_picture(view, "orbit-refined")
+    refined = take_final_picture(view, "orbit-refined")
     cold = cold_picture(view, display, "orbit-cold")
     check(count_different(refined, cold) == 0, "orbit: the completed picture is the cold one")
     display.ReuseAccuracy = "Exact"
@@ -76,7 +76,7 @@ def test_sweep(view, display):
           f"{traced} rays in {looked_up} frames")
     check(statistic(display, "IsomapMemory") > 0, "sweep: the isomap's memory is told",
           f"{statistic(display, 'IsomapMemory')} bytes")
-    reused = take_picture(view, "sweep")
+    reused = take_final_picture(view, "sweep")
     different = count_different(reused, cold_picture(view, display, "sweep-cold"))
     check(different == 0, "sweep: the last picture is the cold one, byte for byte")
 

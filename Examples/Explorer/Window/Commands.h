@@ -3,11 +3,15 @@
 #ifndef Commands_h
 #define Commands_h
 
+#include "Program/VolumeSource.h"
+
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 class QMainWindow;
+class QString;
 class QWidget;
 class Workbench;
 

@@ -12,8 +12,9 @@
  *
  * vtkTemporalCoherenceVolumeMapper draws if the blend mode is ISOSURFACE_BLEND. It also draws
  * COMPOSITE_BLEND, MAXIMUM_INTENSITY_BLEND, MINIMUM_INTENSITY_BLEND, AVERAGE_INTENSITY_BLEND and
- * ADDITIVE_BLEND if BlendVolumes allows it: by default where OpenGL has no GPU. Such a picture is
- * converged: VTK's mapper would draw it with infinitely dense samples.
+ * ADDITIVE_BLEND if BlendVolumes allows it: by default where OpenGL has no GPU and VTK's mapper is
+ * not estimated to be faster. Such a picture is converged: VTK's mapper would draw it with
+ * infinitely dense samples.
  *
  * vtkOpenGLGPUVolumeRayCastMapper draws SLICE_BLEND. It also draws
  * - volumes with several inputs (vtkMultiVolume),

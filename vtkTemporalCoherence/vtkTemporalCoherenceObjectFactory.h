@@ -6,9 +6,9 @@
  *
  * After UseEverywhere(), vtkGPUVolumeRayCastMapper::New() creates a
  * vtkTemporalCoherenceGPUVolumeRayCastMapper, also inside vtkSmartVolumeMapper and
- * vtkMultiBlockVolumeMapper. It draws isosurfaces and, where OpenGL has no GPU, blended volumes
- * with vtkTemporalCoherenceVolumeMapper. It draws everything else as before. Existing mappers do
- * not change.
+ * vtkMultiBlockVolumeMapper. With vtkTemporalCoherenceVolumeMapper it draws isosurfaces and, where
+ * OpenGL has no GPU, blended volumes for which VTK's mapper should need more time. It draws
+ * everything else as before. Existing mappers do not change.
  *
  * A program that is not rebuilt can load this factory by the environment variable
  * VTK_AUTOLOAD_PATH. Set it to the directory vtkTemporalCoherence/autoload beside the library of

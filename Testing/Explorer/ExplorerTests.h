@@ -36,6 +36,7 @@ private slots:
 
   void ASessionOfVersion01GivesTheSamePicture();
   void SessionsAreRepeated();
+  void AveragesAndSumsAreBright();
   void SettingsAreFitted();
   void OldSessionsAreAsTheyWere();
   void WaysToDrawDiffer();

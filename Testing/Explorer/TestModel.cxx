@@ -12,8 +12,11 @@
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
 #include <vtkVolumeProperty.h>
 
 #include <QDir>
@@ -77,6 +80,40 @@ void ExplorerTests::ASessionOfVersion01GivesTheSamePicture()
     }
   }
   QVERIFY2(covered > 500, std::to_string(covered).c_str());
+}
+
+// At first, but as a session says, if one says it.
+void ExplorerTests::AveragesAndSumsAreBright()
+{
+  for (const int drawing : { Drawing::Average, Drawing::Additive })
+  {
+    Session session = SmallSession();
+    session.Settings.Values[Row::Drawing] = drawing;
+    Model model("", "+z");
+    model.Open(session);
+    const auto brightest = [&]
+    {
+      const vtkSmartPointer<vtkImageData> picture = model.View.Picture(Width, Height);
+      double range[2];
+      picture->GetPointData()->GetScalars()->GetRange(range, 0);
+      return range[1];
+    };
+    QVERIFY(brightest() > 220.0);
+    const double fitting = model.Settings().Values[Row::Brightness];
+    QVERIFY(fitting > 0.0);
+    session = model.State();
+    session.Settings.Values[Row::Brightness] = 0.2 * fitting;
+    model.Open(session);
+    QCOMPARE(model.Settings().Values[Row::Brightness], 0.2 * fitting);
+    QVERIFY(brightest() < 120.0 && brightest() > 20.0);
+    Look look = model.Settings();
+    model.SetChoice(look, Row::Drawing, Drawing::Composite);
+    model.SetSettings(look);
+    QCOMPARE(model.View.Mapper->GetFinalColorWindow(), 1.0f);
+    model.SetChoice(look, Row::Drawing, drawing);
+    model.SetSettings(look);
+    QVERIFY(brightest() > 220.0);
+  }
 }
 
 void ExplorerTests::SessionsAreRepeated()

@@ -39,6 +39,27 @@ constexpr std::array<int, 6> BlendModes = { vtkVolumeMapper::ISOSURFACE_BLEND,
   vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, vtkVolumeMapper::AVERAGE_INTENSITY_BLEND,
   vtkVolumeMapper::ADDITIVE_BLEND };
 
+// The grey that a tenth of what is seen reaches.
+double BrightGreyOf(vtkImageData* picture)
+{
+  const auto* color = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  std::vector<unsigned char> greys;
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+  {
+    if (color[4 * i] > 0)
+    {
+      greys.push_back(color[4 * i]);
+    }
+  }
+  if (greys.empty())
+  {
+    return 1.0;
+  }
+  const auto bright = greys.begin() + static_cast<std::ptrdiff_t>(greys.size() * 9 / 10);
+  std::nth_element(greys.begin(), bright, greys.end());
+  return *bright;
+}
+
 // While it lives, the mapper's progress is passed on, and what is answered back.
 class Watched
 {
@@ -251,15 +272,7 @@ void VolumeView::Apply(Look& look)
   {
     this->SetMarkers(areSurfaces ? look.Surfaces : look.Nodes);
   }
-  const Box& box = this->Bounds;
-  const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
-  property->SetScalarOpacityUnitDistance(
-    std::max(0.01 * diagonal / look.Values[Row::Density], 1e-30));
-  const bool addsUp = !areSurfaces && drawing >= Drawing::Average;
-  const double brightness = look.Values[Row::Brightness];
-  const double window = addsUp && brightness > 0.0 ? 1.0 / brightness : 1.0;
-  this->Mapper->SetFinalColorWindow(static_cast<float>(window));
-  this->Mapper->SetFinalColorLevel(static_cast<float>(0.5 * window));
+  this->SetDensity(look, drawing);
   this->Mapper->SetSurfaceMode(look.Choice(Row::Surface));
   this->Mapper->SetSmoothMeshNormals(look.Values[Row::Gradients] != 0);
   this->Mapper->SetAmbientOcclusion(areSurfaces && look.Values[Row::Occlusion] != 0);
@@ -287,10 +300,27 @@ void VolumeView::Apply(Look& look)
   this->Beside.Apply(look, property->GetRGBTransferFunction());
 }
 
+// Sums end at white, so that their brightness has to come from the density.
+void VolumeView::SetDensity(const Look& look, int drawing)
+{
+  const Box& box = this->Bounds;
+  const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+  const double brightness = drawing >= Drawing::Average && look.Values[Row::Brightness] > 0.0
+    ? look.Values[Row::Brightness]
+    : 1.0;
+  const double ofSums = drawing == Drawing::Additive ? brightness : 1.0;
+  this->Actor->GetProperty()->SetScalarOpacityUnitDistance(
+    std::max(0.01 * diagonal / (look.Values[Row::Density] * ofSums), 1e-30));
+  const auto window = static_cast<float>(drawing == Drawing::Average ? 1.0 / brightness : 1.0);
+  this->Mapper->SetFinalColorWindow(window);
+  this->Mapper->SetFinalColorLevel(0.5f * window);
+}
+
 // From small pictures: a dark one has few greys, and is looked at again.
 double VolumeView::FittingBrightness(Look look)
 {
-  constexpr int side = 32, trials = 3;
+  constexpr int side = 32, trials = 6;
+  constexpr double aim = 0.9 * 255, white = 255, least = 0.7 * 255;
   const std::array<double, 2>& limits = AllSettings()[Row::Brightness].Range;
   double& brightness = look.Values[Row::Brightness];
   brightness = 1.0;
@@ -303,14 +333,12 @@ double VolumeView::FittingBrightness(Look look)
     {
       return 1.0;
     }
-    const auto* color = static_cast<const unsigned char*>(picture->GetScalarPointer());
-    double sum = 0.0, seen = 0.0;
-    for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i, color += 4)
+    const double grey = BrightGreyOf(picture);
+    if (grey >= least && grey < white)
     {
-      sum += color[0];
-      seen += color[3] > 0 ? 255.0 : 0.0;
+      break;
     }
-    brightness *= std::clamp(0.5 * seen / std::max(sum, 1.0), 0.1, 30.0);
+    brightness *= grey < white ? aim / grey : 0.1;
     brightness = std::clamp(brightness, limits[0], limits[1]);
   }
   return brightness;

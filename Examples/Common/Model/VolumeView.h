@@ -41,7 +41,7 @@ public:
   bool HasAnnotations() const { return this->Beside.HasAny(); }
   void Apply(Look& look); // tells the shading that it has, if that is the material's
 
-  // With it, averages and sums are half as bright as they can be, in the mean of what is seen.
+  // With it, a tenth of what averages and sums show is nearly white, or brighter.
   double FittingBrightness(Look look);
 
   // All of the volume is seen; the axes are those of the command line.
@@ -88,6 +88,7 @@ public:
 
 private:
   void SetProjection(bool isParallel);
+  void SetDensity(const Look& look, int drawing);
   void SetMarkers(const std::vector<Marker>& markers);
   void SetGreys(const std::vector<Marker>& ends);
   std::optional<Seen> CutAt(int x, int y);

@@ -43,8 +43,8 @@ double TimeOfVtk(const Means& means, bool isShaded)
   return isShaded ? 160.0 + 13.9 * means.Steps : 70.0 + 4.2 * means.Steps;
 }
 
-/// CPU time of this library, from the same measurement. The first cells of a ray cost most: as a rule
-/// they hold ramps and peaks, at which rays are divided.
+/// CPU time of this library, from the same measurement. The first cells of a ray cost most: as a
+/// rule they hold ramps and peaks, at which rays are divided.
 double TimeOfOurs(const Means& means, bool isShaded)
 {
   const double all = isShaded ? 1000.0 + 65.0 * means.Cells : 900.0 + 35.0 * means.Cells;

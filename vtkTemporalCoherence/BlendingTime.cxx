@@ -6,6 +6,7 @@
 #include <vtkDataSet.h>
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkVolume.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -98,14 +100,34 @@ Lattice LatticeOf(vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property
   return lattice;
 }
 
-/// The distance of the samples that VTK's mapper takes in a picture that is not in a hurry.
-double StepOf(vtkGPUVolumeRayCastMapper* mapper, const std::array<double, 3>& spacing)
+/// The distance of the samples that VTK's mapper takes in a picture that is not in a hurry, by its
+/// rules: it steps in the data by the least spacing in the world.
+double StepOf(vtkGPUVolumeRayCastMapper* mapper, const Lattice& lattice, vtkVolume* volume)
 {
-  const double step = mapper->GetAutoAdjustSampleDistances()
-    ? *std::min_element(spacing.begin(), spacing.end())
-    : mapper->GetLockSampleDistanceToInputSpacing()
-    ? (spacing[0] + spacing[1] + spacing[2]) / 6.0
-    : static_cast<double>(mapper->GetSampleDistance());
+  const std::array<double, 3>& spacing = lattice.Spacing;
+  double step = static_cast<double>(mapper->GetSampleDistance());
+  if (mapper->GetAutoAdjustSampleDistances())
+  {
+    step = std::numeric_limits<double>::infinity();
+    vtkMatrix4x4* const matrix = volume->GetMatrix();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      step = std::min(step,
+        spacing[static_cast<std::size_t>(axis)] *
+          std::hypot(
+            matrix->GetElement(0, axis), matrix->GetElement(1, axis), matrix->GetElement(2, axis)));
+    }
+  }
+  else if (mapper->GetLockSampleDistanceToInputSpacing())
+  {
+    double intervals = 1.0;
+    for (const int count : lattice.Counts)
+    {
+      intervals *= std::max(count - 1, 1);
+    }
+    const double small = std::min(std::pow(intervals, 0.333) / 100.0, 1.0);
+    step = (spacing[0] + spacing[1] + spacing[2]) / 6.0 * (0.01 + 0.99 * small);
+  }
   return step > 0.0 ? step : 1.0;
 }
 
@@ -178,15 +200,16 @@ double BlendingTimeBesideVtk(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volum
   const Lattice lattice = LatticeOf(mapper, property);
   if (!lattice.Samples)
   {
-    return 1.0;
+    return 0.0;
   }
   Means means;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     AddColumns(lattice, Transparencies(lattice, property, lattice.Spacing[axis]), axis,
-      StepOf(mapper, lattice.Spacing), means);
+      StepOf(mapper, lattice, volume), means);
   }
-  const bool isShaded = property->GetShade() || property->HasGradientOpacity();
+  const bool isShaded = property->GetShade() ||
+    (property->HasGradientOpacity() && !property->GetDisableGradientOpacity());
   return TimeOfOurs(means, isShaded) / TimeOfVtk(means, isShaded);
 }
 

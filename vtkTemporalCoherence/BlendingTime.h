@@ -18,7 +18,9 @@ namespace TemporalCoherence
 ///
 /// VTK's mapper takes samples at equal distances until a ray is opaque. This library's skips what
 /// is transparent, and takes longer where it is not, as its pictures are converged. Both are
-/// counted along some columns of samples. \return 1 if nothing is known of the volume
+/// counted along some columns of samples.
+///
+/// \return 0 if nothing is known of the volume
 double BlendingTimeBesideVtk(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume);
 
 }

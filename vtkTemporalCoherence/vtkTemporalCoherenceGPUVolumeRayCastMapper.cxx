@@ -199,21 +199,23 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassIsFaster(vt
   {
     return std::string();
   }
+  static const std::string reason =
+    "so much of the volume is half transparent that VTK should blend it faster";
   vtkDataObject* const data = this->GetInputDataObject(0, 0);
-  const vtkMTimeType time =
-    std::max({ this->GetMTime(), volume->GetProperty()->GetMTime(), data ? data->GetMTime() : 0 });
-  if (time != this->BlendingTimeFrom)
+  vtkVolumeProperty* const property = volume->GetProperty();
+  const BlendingTimeKey key = { property, data, volume,
+    std::max({ this->GetMTime(), property->GetMTime(), data ? data->GetMTime() : 0,
+      volume->GetMTime() }) };
+  if (key != this->BlendingTimeOf)
   {
-    this->BlendingTimeFrom = time;
+    this->BlendingTimeOf = key;
     this->BlendingTime = TemporalCoherence::BlendingTimeBesideVtk(this, volume);
   }
   // A function that is dragged does not change the mapper to and fro.
   const double most = this->DrawnBy == Drawer::Isosurfaces ? 1.1
-    : this->DrawnBy == Drawer::Superclass                  ? 0.9
+    : this->Reason == reason                               ? 0.9
                                                            : 1.0;
-  return this->BlendingTime <= most
-    ? std::string()
-    : "so much of the volume is half transparent that VTK should blend it faster";
+  return this->BlendingTime <= most ? std::string() : reason;
 }
 
 //------------------------------------------------------------------------------

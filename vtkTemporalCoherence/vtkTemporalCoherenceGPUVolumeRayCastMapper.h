@@ -58,6 +58,7 @@
 #include "vtkWeakPointer.h"             // For the window
 
 #include <string> // For std::string
+#include <tuple>  // For a key
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkEventForwarderCommand;
@@ -182,8 +183,10 @@ private:
   vtkNew<vtkEventForwarderCommand> Forwarder;
   Drawer DrawnBy = Drawer::Nobody;
   std::string Reason;
-  double BlendingTime = 1.0;         ///< see BlendingTime.h
-  vtkMTimeType BlendingTimeFrom = 0; ///< when mapper, property and data were as it tells
+  using BlendingTimeKey =
+    std::tuple<const void*, const void*, const void*, vtkMTimeType>; ///< property, data, volume
+  double BlendingTime = 0.0;                                         ///< see BlendingTime.h
+  BlendingTimeKey BlendingTimeOf;
   double SuperclassTimeToDraw = 0.0;
 };
 VTK_ABI_NAMESPACE_END

@@ -113,13 +113,14 @@ void SetLook(Model& model, const Options& options)
   if (options.Window)
   {
     const std::array<double, 2>& range = model.Counted().Range;
+    const double width = range[1] - range[0];
     const double black = *options.Level - 0.5 * *options.Window;
     const double white = *options.Level + 0.5 * *options.Window;
-    if (black < range[0] || white > range[1])
+    if (black < range[0] - width || white > range[1] + width)
     {
       std::ostringstream what;
-      what << "--window and --level must lie within the values, " << range[0] << " to " << range[1]
-           << "; these begin at " << black << " and end at " << white << ".";
+      what << "--window and --level must lie within " << range[0] - width << " to "
+           << range[1] + width << "; these begin at " << black << " and end at " << white << ".";
       throw UserError(what.str());
     }
     model.SetNumber(settings[Row::Window], look, 0, *options.Window);
@@ -136,6 +137,10 @@ void SetLook(Model& model, const Options& options)
       look.Clip.Normal[i] = i == axis ? (options.IsClipFlipped ? -1.0 : 1.0) : 0.0;
     }
     look.Clip.Origin[axis] = options.ClipAt.value_or(look.Clip.Origin[axis]);
+  }
+  if (!IsSessionName(options.Source.Path))
+  {
+    look.Values[Row::Brightness] = 0.0; // that of the first look
   }
   model.SetSettings(look);
 }

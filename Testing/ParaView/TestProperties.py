@@ -4,9 +4,9 @@
 
 import numpy as np
 
-from Stage import (ColorBy, Gradient, GetColorTransferFunction, GetOpacityTransferFunction, Render, Show,
-                   check, count_different, look_from, make_view, make_wavelet, show, statistic,
-                   take_final_picture)
+from Stage import (Calculator, ColorBy, Gradient, GetColorTransferFunction, GetOpacityTransferFunction, Render,
+                   Show, check, count_different, look_from, make_view, make_wavelet, show,
+                   statistic, take_final_picture)
 
 RANGE = (34.01525497436, 286.34109497070)  # of the wavelet's values
 
@@ -58,6 +58,23 @@ def test_isovalues_left_out():
     Render(view)
     check(list(statistic(display, "ShownIsovalues")) == [5.0, 10.0],
           "drop-in: isovalues that fit the other array are shown")
+
+
+def test_array_with_the_same_values():
+    """The middle of the first array is nobody's choice, also where it lies in the range of another."""
+    view = make_view()
+    doubled = Calculator(Input=make_wavelet(), Function="2*RTData", ResultArrayName="Doubled")
+    display = Show(doubled, view)
+    display.Representation = "Temporal Isosurface"
+    ColorBy(display, ("POINTS", "RTData"))
+    look_from(view)
+    Render(view)
+    ColorBy(display, ("POINTS", "Doubled"))
+    display.IsosurfaceValues = [300.0, 400.0]
+    Render(view)
+    check(list(statistic(display, "ShownIsovalues")) == [300.0, 400.0],
+          "drop-in: isovalues are shown, not the middle of an array before",
+          statistic(display, "ShownIsovalues"))
 
 
 def test_single_isovalue():
@@ -215,6 +232,7 @@ def main():
     """All properties."""
     test_defaults()
     test_isovalues_left_out()
+    test_array_with_the_same_values()
     test_single_isovalue()
     test_looks_of_surfaces()
     view = make_view()

@@ -235,7 +235,7 @@ Look Model::Fitted(Look look) const
   Fit(look.Nodes, { range[0] - width, range[1] + width }, true);
   look.Greys =
     look.Greys.size() == 2 ? look.Greys : FirstGreys(this->Samples, look.Choice(Row::Drawing));
-  Fit(look.Greys, range, true);
+  Fit(look.Greys, { range[0] - width, range[1] + width }, true);
   if (look.Greys[1].Value - look.Greys[0].Value < LeastWindow * width)
   {
     look.Greys[0].Value = std::min(look.Greys[0].Value, range[1] - LeastWindow * width);
@@ -265,15 +265,20 @@ void Model::SetSettings(const Look& look, bool isShown)
 {
   this->Current.Settings = this->Fitted(look);
   this->Current.Isovalue = this->Current.Settings.Surfaces[0].Value;
-  if (isShown && this->AddsUp() && this->Current.Settings.Values[Row::Brightness] == 0.0)
-  {
-    this->Current.Settings.Values[Row::Brightness] =
-      this->View.FittingBrightness(this->Current.Settings);
-  }
   if (isShown)
   {
     this->Apply();
   }
+}
+
+void Model::Apply()
+{
+  Look& look = this->Current.Settings;
+  if (this->AddsUp() && look.Values[Row::Brightness] == 0.0)
+  {
+    look.Values[Row::Brightness] = this->View.FittingBrightness(look);
+  }
+  this->View.Apply(look);
 }
 
 std::array<double, 2> Model::RangeOf(const Setting& number) const

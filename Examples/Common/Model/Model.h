@@ -48,7 +48,7 @@ public:
   // Values are made to fit the data. Draws nothing; with isShown false, nothing that a picture
   // depends on is touched until Apply().
   void SetSettings(const Look& look, bool isShown = true);
-  void Apply() { this->View.Apply(this->Current.Settings); }
+  void Apply();
 
   // False if it has no effect on what is shown.
   bool Offers(const Setting& row) const { return !row.For || (this->*row.For)(); }

@@ -53,7 +53,7 @@ double BrightGreyOf(vtkImageData* picture)
   }
   if (greys.empty())
   {
-    return 1.0;
+    return 0.0;
   }
   const auto bright = greys.begin() + static_cast<std::ptrdiff_t>(greys.size() * 9 / 10);
   std::nth_element(greys.begin(), bright, greys.end());
@@ -334,6 +334,10 @@ double VolumeView::FittingBrightness(Look look)
       return 1.0;
     }
     const double grey = BrightGreyOf(picture);
+    if (grey == 0.0)
+    {
+      return 0.0;
+    }
     if (grey >= least && grey < white)
     {
       break;

@@ -41,7 +41,8 @@ public:
   bool HasAnnotations() const { return this->Beside.HasAny(); }
   void Apply(Look& look); // tells the shading that it has, if that is the material's
 
-  // With it, a tenth of what averages and sums show is nearly white, or brighter.
+  // With it, a tenth of what averages and sums show is nearly white, or brighter. 0: nothing is
+  // seen, and it is to be fitted later.
   double FittingBrightness(Look look);
 
   // All of the volume is seen; the axes are those of the command line.

@@ -44,7 +44,8 @@ HistogramPanel::HistogramPanel(Workbench& bench)
         this->Refresh();
       }
     });
-  QObject::connect(&bench, &Workbench::Opened, this, [this] { this->Zoom(0.0, 0.0); });
+  QObject::connect(&bench, &Workbench::Opened, this,
+    [this](bool isOtherFile) { this->Zoom(isOtherFile ? 0.0 : 1.0, 0.0); });
 }
 
 QRect HistogramPanel::Plot() const
@@ -85,7 +86,7 @@ void HistogramPanel::Zoom(double factor, double x)
 void HistogramPanel::Move(double share)
 {
   const double width = this->Seen[1] - this->Seen[0];
-  const double from = std::clamp(this->Seen[0] + share, 0.0, 1.0 - width);
+  const double from = std::clamp(this->Seen[0] + share, 0.0, std::max(1.0 - width, 0.0));
   this->Seen = { from, from + width };
   this->Refresh();
 }

@@ -386,7 +386,7 @@ std::array<double, 2> vtkTemporalIsosurfaceRepresentation::RangeOfScalars(
 //------------------------------------------------------------------------------
 /// ParaView sets the single isovalue and those of the volume representation without being asked, to
 /// the middle of an array that need not be the one that is drawn. So they count only where they fit
-/// it, and the single one only where it is not that middle.
+/// it, and the single one only if it was not that middle before.
 /// \param range of the values; first larger than second if it is not known
 std::vector<double> vtkTemporalIsosurfaceRepresentation::ChooseIsovalues(
   const std::array<double, 2>& range)
@@ -398,8 +398,11 @@ std::vector<double> vtkTemporalIsosurfaceRepresentation::ChooseIsovalues(
   const bool isKnown = range[0] <= range[1];
   const double middle = 0.5 * (range[0] + range[1]);
   const auto fits = [&](double isovalue) { return isovalue >= range[0] && isovalue <= range[1]; };
-  if (fits(this->SingleIsovalue) &&
-    std::abs(this->SingleIsovalue - middle) > 1e-6 * (range[1] - range[0]))
+  if (std::abs(this->SingleIsovalue - middle) <= 1e-6 * (range[1] - range[0]))
+  {
+    this->Untouched = this->SingleIsovalue;
+  }
+  if (fits(this->SingleIsovalue) && this->SingleIsovalue != this->Untouched)
   {
     return { this->SingleIsovalue };
   }

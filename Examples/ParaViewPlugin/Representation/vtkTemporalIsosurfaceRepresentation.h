@@ -58,9 +58,9 @@ public:
   ///@{
   /**
    * What is drawn: these isovalues. If there are none: the single isovalue, if it lies in the range
-   * of the values and is not its middle; else the isovalues that the volume representation has for
-   * its own isosurfaces, if at least one lies in the range; else the middle of the range.
-   * Isovalues that are not finite numbers are left out, with a message.
+   * of the values and is not a middle that ParaView gave it; else the isovalues that the volume
+   * representation has for its own isosurfaces, if at least one lies in the range; else the middle
+   * of the range. Isovalues that are not finite numbers are left out, with a message.
    */
   void SetNumberOfIsovalues(int number);
   void SetIsovalue(int i, double value);
@@ -195,6 +195,7 @@ private:
   std::vector<double> Isovalues;
   std::vector<double> VolumeIsovalues;
   double SingleIsovalue = std::numeric_limits<double>::quiet_NaN(); ///< NaN: not set yet
+  double Untouched = SingleIsovalue; ///< the value that ParaView gave it
   std::vector<Look> SurfaceLooks;
   std::map<double, Look> LooksInFunctions; ///< by isovalue
   vtkSmartPointer<vtkColorTransferFunction> Table;

@@ -100,8 +100,8 @@ Lattice LatticeOf(vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property
   return lattice;
 }
 
-/// The distance of the samples that VTK's mapper takes in a picture that is not in a hurry, by its
-/// rules: it steps in the data by the least spacing in the world.
+/// The distance of samples of VTK's mapper in a picture that is not in a hurry: the least spacing in
+/// the world, used as a distance in the data.
 double StepOf(vtkGPUVolumeRayCastMapper* mapper, const Lattice& lattice, vtkVolume* volume)
 {
   const std::array<double, 3>& spacing = lattice.Spacing;

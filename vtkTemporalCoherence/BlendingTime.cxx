@@ -100,8 +100,8 @@ Lattice LatticeOf(vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property
   return lattice;
 }
 
-/// The distance of samples of VTK's mapper in a picture that is not in a hurry: the least spacing in
-/// the world, used as a distance in the data.
+/// The distance of samples of VTK's mapper in a picture that is not in a hurry: the least spacing
+/// in the world, used as a distance in the data.
 double StepOf(vtkGPUVolumeRayCastMapper* mapper, const Lattice& lattice, vtkVolume* volume)
 {
   const std::array<double, 3>& spacing = lattice.Spacing;

@@ -193,7 +193,7 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassIsFaster(vt
   }
   if (this->BlendMode == AVERAGE_INTENSITY_BLEND || this->BlendMode == ADDITIVE_BLEND)
   {
-    return "averages and sums are what VTK makes faster";
+    return "VTK draws averages and sums faster";
   }
   if (this->BlendMode != COMPOSITE_BLEND)
   {

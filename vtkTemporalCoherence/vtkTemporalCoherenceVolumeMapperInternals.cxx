@@ -41,23 +41,20 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderForWindow(
   const glm::ivec2 rays =
     this->Rays.For(pixels, static_cast<double>(this->Self->ImageSampleDistance), volume, warning);
   this->Warn(warning);
-  const double aspect = renderer->GetTiledAspectRatio();
-  const TemporalCoherence::RayBudget::Subject subject = { this->Self->GetBlendMode(),
-    TemporalCoherence::ShareOfPicture(renderer, volume, aspect) };
-  const bool isMade = this->RenderFrame(renderer, volume, rays.x, rays.y, aspect,
-    renderer->GetRenderWindow(), this->ChooseRays(renderer, volume, rays, allowed, subject));
+  const bool isMade =
+    this->RenderFrame(renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(),
+      renderer->GetRenderWindow(), this->ChooseRays(renderer, volume, rays, allowed));
   if (isMade)
   {
     this->Frames.SetPictureSize(pixels);
-    this->Frames.LearnTimes(allowed, subject);
+    this->Frames.LearnTimes(allowed, this->Self->GetBlendMode());
   }
   return isMade;
 }
 
 //------------------------------------------------------------------------------
 TemporalCoherence::FewerRays vtkTemporalCoherenceVolumeMapper::Internals::ChooseRays(
-  vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& rays, double allowed,
-  const TemporalCoherence::RayBudget::Subject& subject) const
+  vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& rays, double allowed) const
 {
   TemporalCoherence::FewerRays fewer;
   if (!this->Self->AutoAdjustSampleDistances || this->Self->GetRenderToImage())
@@ -69,7 +66,7 @@ TemporalCoherence::FewerRays vtkTemporalCoherenceVolumeMapper::Internals::Choose
   const TemporalCoherence::RayBudget::Choice choice =
     this->Frames.ChooseRays(TemporalCoherence::Viewer::Of(renderer, volume),
       static_cast<std::int64_t>(rays.x) * rays.y, allowed - this->Frames.PresentTime(),
-      static_cast<double>(this->Self->MaximumImageSampleDistance), subject);
+      static_cast<double>(this->Self->MaximumImageSampleDistance), this->Self->GetBlendMode());
   fewer.Distance = choice.Distance;
   if (allowed < TemporalCoherence::RayBudget::InteractiveTime)
   {
@@ -202,8 +199,8 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::MakeImages(vtkRenderer* render
     this->Self->Update();
   }
   this->TellStart();
-  const double aspect = static_cast<double>(width) / height;
-  bool isMade = this->RenderFrame(renderer, volume, width, height, aspect, nullptr);
+  bool isMade = this->RenderFrame(
+    renderer, volume, width, height, static_cast<double>(width) / height, nullptr);
   if (isMade && this->Self->GetAbortExecute() && !this->Self->GetProgressiveImages())
   {
     // New colours are shown before all of their light is found or edges are smooth.
@@ -212,8 +209,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::MakeImages(vtkRenderer* render
   if (isMade)
   {
     this->Frames.SetPictureSize({ width, height });
-    this->Frames.LearnTimes(VTK_DOUBLE_MAX,
-      { this->Self->GetBlendMode(), TemporalCoherence::ShareOfPicture(renderer, volume, aspect) });
+    this->Frames.LearnTimes(VTK_DOUBLE_MAX, this->Self->GetBlendMode());
   }
   // Write the images before the end event: its observers may draw the next frame.
   std::string error;

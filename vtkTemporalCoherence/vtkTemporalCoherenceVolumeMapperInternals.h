@@ -111,9 +111,8 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
 
   /// Choose how many rays a window's frame traces to finish in time.
   /// \param allowed seconds for it
-  TemporalCoherence::FewerRays ChooseRays(vtkRenderer* renderer, vtkVolume* volume,
-    const glm::ivec2& rays, double allowed,
-    const TemporalCoherence::RayBudget::Subject& subject) const;
+  TemporalCoherence::FewerRays ChooseRays(
+    vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& rays, double allowed) const;
 
   /// The first surface on a line, and the input's cell that contains it.
   struct FoundOnLine

@@ -134,7 +134,8 @@ def main():
                     seconds, output = run(command, autoload if gains else None)
                     times[gains].append(seconds)
                     said = output if gains else said
-            lines = [line.split("drawn by ", 1)[1].replace("\033[0m", "") for line in said.splitlines() if "drawn by " in line]
+            lines = [line.split("drawn by ", 1)[1].replace("\033[0m", "")
+                     for line in said.splitlines() if "drawn by " in line]
             without, with_it = (statistics.median(times[gains]) for gains in (False, True))
             print(f"| {name} | {without:.2f} | {with_it:.2f} | {with_it / without:.2f} "
                   f"| {'; '.join(lines) or '-'} |", flush=True)

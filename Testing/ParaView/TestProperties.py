@@ -11,14 +11,20 @@ from Stage import (Calculator, ColorBy, Gradient, GetColorTransferFunction, GetO
 RANGE = (34.01525497436, 286.34109497070)  # of the wavelet's values
 
 
-def test_defaults():
-    """One line, and the middle of the values is shown; two, and a script for volumes is switched."""
+def show_by_one_line(source):
+    """A view of a source whose representation is all that a script sets."""
     view = make_view()
-    source = make_wavelet()
     display = Show(source, view)
     display.Representation = "Temporal Isosurface"
     look_from(view)
     Render(view)
+    return view, display
+
+
+def test_defaults():
+    """One line, and the middle of the values is shown; two, and a script for volumes is switched."""
+    source = make_wavelet()
+    view, display = show_by_one_line(source)
     check(np.allclose(statistic(display, "ScalarRange"), RANGE), "default: the range is the array's",
           statistic(display, "ScalarRange"))
     check(np.isclose(statistic(display, "ShownIsovalues"), np.mean(RANGE)),
@@ -40,12 +46,7 @@ def test_defaults():
 
 def test_isovalues_left_out():
     """Where no isovalue is given, one is shown that the array has, also after another one is chosen."""
-    view = make_view()
-    gradient = Gradient(Input=make_wavelet(), ScalarArray=["POINTS", "RTData"])
-    display = Show(gradient, view)
-    display.Representation = "Temporal Isosurface"
-    look_from(view)
-    Render(view)
+    view, display = show_by_one_line(Gradient(Input=make_wavelet(), ScalarArray=["POINTS", "RTData"]))
     ColorBy(display, ("POINTS", "Gradient", "Magnitude"))
     Render(view)
     range_of_lengths = statistic(display, "ScalarRange")
@@ -79,12 +80,7 @@ def test_array_with_the_same_values():
 
 def test_single_isovalue():
     """The slider's isovalue is drawn where it fits the array and no list says otherwise."""
-    view = make_view()
-    source = make_wavelet()
-    display = Show(source, view)
-    display.Representation = "Temporal Isosurface"
-    look_from(view)
-    Render(view)
+    view, display = show_by_one_line(make_wavelet())
     check(np.isclose(display.Isovalue, np.mean(RANGE)), "slider: it begins in the middle of the range",
           display.Isovalue)
     display.Isovalue = 210.0

@@ -117,7 +117,7 @@ void TestRules(int mode)
   const double difference = MeanDifference(own, theirs);
   Expect(difference < 1.0, name + ": looks as VTK's, but for " + std::to_string(difference));
 
-  // VTK needs much time for samples as dense as these, but for averages and sums of few.
+  // VTK's mapper needs more time for samples as dense as these, except for averages and sums.
   const bool isOurs = IsSoftware(ours.Window) && !IsGrey(mode);
   Stage byDefault(mode, FromFactory(Door::GetDefaultBlendVolumes()));
   Expect(AreSame(byDefault.Draw(), isOurs ? own : theirs) &&

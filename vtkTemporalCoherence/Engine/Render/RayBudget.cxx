@@ -25,7 +25,7 @@ constexpr double ScatteredRay = 2.0;
 constexpr double Closest = 3.0;
 
 /// Until anything is known.
-constexpr double First = 8.0;
+constexpr double First = 6.0;
 
 /// The part of the planned time that does not depend on rays, until it is measured. A first frame
 /// also makes room for its planes.
@@ -36,24 +36,22 @@ constexpr double LeastForRays = 0.2;
 
 }
 
-void RayBudget::Learn(
-  const FrameStatistics& frame, bool wasWhole, double allowed, const Subject& subject)
+void RayBudget::Learn(const FrameStatistics& frame, bool wasWhole, double allowed, int kind)
 {
-  if (subject.Kind != this->Kind)
+  if (kind != this->Kind)
   {
     *this = RayBudget();
-    this->Kind = subject.Kind;
+    this->Kind = kind;
   }
-  const double pixels = subject.Share * static_cast<double>(std::max<std::int64_t>(frame.Rays, 1));
+  const auto pixels = static_cast<double>(std::max<std::int64_t>(frame.Rays, 1));
   const bool hadGrid = frame.GridRays > 0;
   this->IsWholeKnown = wasWhole;
   if (wasWhole)
   {
     this->WholePerPixel = frame.TilesTime / pixels;
   }
-  const double perRay = hadGrid
-    ? frame.GridTime / (subject.Share * static_cast<double>(frame.GridRays))
-    : ScatteredRay * frame.TilesTime / pixels;
+  const double perRay = hadGrid ? frame.GridTime / static_cast<double>(frame.GridRays)
+                                : ScatteredRay * frame.TilesTime / pixels;
   // Times rise at once, and fall slowly: a frame that is late is worse than a coarse one.
   const double half = 0.5 * (this->GridPerRay + perRay);
   this->GridPerRay = this->IsKnown && hadGrid ? std::max(perRay, half) : perRay;
@@ -64,7 +62,7 @@ void RayBudget::Learn(
 }
 
 RayBudget::Choice RayBudget::Choose(
-  std::int64_t pixels, double allowed, double most, const Subject& subject) const
+  std::int64_t pixels, double allowed, double most, int kind) const
 {
   if (!(allowed < InteractiveTime))
   {
@@ -72,11 +70,11 @@ RayBudget::Choice RayBudget::Choose(
   }
   const double planned = Planned * std::max(allowed, 1e-9);
   const double until = planned - this->Fill;
-  if (!this->IsKnown || subject.Kind != this->Kind)
+  if (!this->IsKnown || kind != this->Kind)
   {
     return { std::max(std::min(First, most), 1.0), until };
   }
-  const double number = subject.Share * static_cast<double>(pixels);
+  const auto number = static_cast<double>(pixels);
   if (this->IsWholeKnown && this->WholePerPixel * number + std::max(this->Rest, 0.0) <= planned)
   {
     return { 1.0, until };

@@ -26,32 +26,26 @@ public:
     double Until = 0.0;    ///< seconds from the beginning of the frame in which tiles may begin
   };
 
-  /// What a frame shows.
-  struct Subject
-  {
-    int Kind = 0;       ///< of the picture: what was learned of another kind is forgotten
-    double Share = 1.0; ///< of the pixels, that the box of the data covers: rays elsewhere cost
-                        ///< nothing, above 0
-  };
-
   /// Learn from a frame whose rays were traced.
   /// \param wasWhole every pixel had a ray
   /// \param allowed  seconds for it. Only frames of an interaction tell what comes besides rays:
   ///                 others may have set up the data
-  void Learn(const FrameStatistics& frame, bool wasWhole, double allowed, const Subject& subject);
+  /// \param kind     of the picture: what was learned of another kind is forgotten
+  void Learn(const FrameStatistics& frame, bool wasWhole, double allowed, int kind);
 
   /// The rays of a frame.
   /// \param pixels  number of them
   /// \param allowed seconds to make it
   /// \param most    the largest distance
-  Choice Choose(std::int64_t pixels, double allowed, double most, const Subject& subject) const;
+  /// \param kind    of the picture; nothing is known of one that the last frame was not of
+  Choice Choose(std::int64_t pixels, double allowed, double most, int kind) const;
 
 private:
   bool IsKnown = false;
   int Kind = 0;
   bool IsWholeKnown = false;  ///< else the last frame could not be made whole
-  double WholePerPixel = 0.0; ///< seconds, of pixels that the box covers
-  double GridPerRay = 0.0;    ///< seconds, likewise
+  double WholePerPixel = 0.0; ///< seconds
+  double GridPerRay = 0.0;    ///< seconds
   double Rest = -1.0; ///< seconds that do not depend on the number of rays; below 0: not known
   double Fill = 0.0;  ///< of these, seconds to fill tiles between rays
 };

@@ -76,11 +76,11 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
   }
 }
 
-RayBudget::Choice MapperFrames::ChooseRays(const Viewer& viewer, std::int64_t pixels,
-  double allowed, double most, const RayBudget::Subject& subject) const
+RayBudget::Choice MapperFrames::ChooseRays(
+  const Viewer& viewer, std::int64_t pixels, double allowed, double most, int kind) const
 {
   const auto state = this->Viewers.Find(viewer);
-  return (state ? state->Budget : RayBudget()).Choose(pixels, allowed, most, subject);
+  return (state ? state->Budget : RayBudget()).Choose(pixels, allowed, most, kind);
 }
 
 Isomap::Outcome MapperFrames::BuildIsomap(const Viewer& viewer, const FrameRequest& request,

@@ -39,16 +39,13 @@ public:
     const FrameRenderer::Options& options, const ReportProgress& report, std::string& error);
 
   /// The rays that a viewer's next frame for a window may trace.
-  /// \param pixels, allowed, most, subject as in RayBudget::Choose
-  RayBudget::Choice ChooseRays(const Viewer& viewer, std::int64_t pixels, double allowed,
-    double most, const RayBudget::Subject& subject) const;
+  /// \param pixels, allowed, most, kind as in RayBudget::Choose
+  RayBudget::Choice ChooseRays(
+    const Viewer& viewer, std::int64_t pixels, double allowed, double most, int kind) const;
 
   /// Learn how long rays took in the last frame.
-  /// \param allowed, subject as in RayBudget::Learn
-  void LearnTimes(double allowed, const RayBudget::Subject& subject)
-  {
-    this->Last->LearnTimes(allowed, subject);
-  }
+  /// \param allowed, kind as in RayBudget::Learn
+  void LearnTimes(double allowed, int kind) { this->Last->LearnTimes(allowed, kind); }
 
   /// Set the number of window pixels that the last frame fills along each axis.
   void SetPictureSize(const glm::ivec2& size) { this->Last->PictureSize = size; }

@@ -56,13 +56,13 @@ struct ViewerState
   }
 
   /// Learn how long rays took in the last frame, unless it used known ones.
-  /// \param allowed, subject see RayBudget
-  void LearnTimes(double allowed, const RayBudget::Subject& subject)
+  /// \param allowed, kind see RayBudget
+  void LearnTimes(double allowed, int kind)
   {
     const FrameStatistics& last = this->Engine.Statistics();
     if (last.Made == Route::Cold || last.Made == Route::FewerRays)
     {
-      this->Budget.Learn(last, !this->Engine.IsLastBetweenRays(), allowed, subject);
+      this->Budget.Learn(last, !this->Engine.IsLastBetweenRays(), allowed, kind);
     }
   }
 

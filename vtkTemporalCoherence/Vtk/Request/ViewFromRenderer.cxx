@@ -8,7 +8,6 @@
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkVolume.h>
 
 #include <sstream>
 
@@ -28,32 +27,6 @@ glm::ivec2 PictureSizeOf(vtkRenderer* renderer)
     }
   }
   return size;
-}
-
-double ShareOfPicture(vtkRenderer* renderer, vtkVolume* volume, double aspect)
-{
-  const double* const bounds = volume->GetBounds();
-  if (!bounds || !(bounds[0] <= bounds[1]))
-  {
-    return 1.0;
-  }
-  const glm::dmat4 toClip = MatrixFromVtk(
-    renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
-  glm::dvec2 low(1.0), high(-1.0);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::dvec4 at = toClip *
-      glm::dvec4(bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)], 1.0);
-    if (!(at.w > 0.0))
-    {
-      return 1.0;
-    }
-    const glm::dvec2 place = glm::clamp(glm::dvec2(at) / at.w, -1.0, 1.0);
-    low = glm::min(low, place);
-    high = glm::max(high, place);
-  }
-  constexpr double least = 1e-3; // rays at the rim are few, and not free
-  return glm::clamp(0.25 * (high.x - low.x) * (high.y - low.y), least, 1.0);
 }
 
 bool MakeView(

@@ -10,7 +10,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
-class vtkVolume;
 VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
@@ -19,11 +18,6 @@ namespace TemporalCoherence
 /// The pixels that the renderer draws now: its part of the window, or the texture that a render
 /// pass draws into instead.
 glm::ivec2 PictureSizeOf(vtkRenderer* renderer);
-
-/// The share of the renderer's picture that the box of a volume covers, by its rectangle: above 0,
-/// at most 1. It is 1 if the box is not known, or reaches behind the camera.
-/// \param aspect width / height of the camera's view
-double ShareOfPicture(vtkRenderer* renderer, vtkVolume* volume, double aspect);
 
 /// Make the view of the renderer's active camera in a picture of a given size.
 /// \param aspect width / height of the camera's view

@@ -68,6 +68,7 @@ TemporalCoherence::FewerRays vtkTemporalCoherenceVolumeMapper::Internals::Choose
       static_cast<std::int64_t>(rays.x) * rays.y, allowed - this->Frames.PresentTime(),
       static_cast<double>(this->Self->MaximumImageSampleDistance), this->Self->GetBlendMode());
   fewer.Distance = choice.Distance;
+  fewer.MostDistance = static_cast<double>(this->Self->MaximumImageSampleDistance);
   if (allowed < TemporalCoherence::RayBudget::InteractiveTime)
   {
     fewer.HasTime = [begin, choice]()

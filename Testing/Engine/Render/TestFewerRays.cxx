@@ -11,6 +11,7 @@
 
 #include <vtkSMPTools.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <limits>
 
@@ -293,6 +294,41 @@ TEST_P(FewerRaysTest, ServeNoRouteThatNeedsAllRays)
     const Frame cold = this->Cold();
     EXPECT_TRUE(ShowTheSame(this->Renderer.LastFrame(), cold)) << "another isovalue";
   }
+}
+
+// A grid that is nearly ready when the time is up is finished; else a coarser one takes its place.
+TEST_P(FewerRaysTest, AGridThatTakesTooLongGetsCoarser)
+{
+  constexpr double asked = 1.5, most = 10.0;
+  const glm::ivec2 size = this->Key.View.Size;
+  const std::int64_t tiles = NumberOfTiles((2 * size + 2) / 3);
+  ASSERT_GT(tiles, 10);
+  const auto render = [&](std::int64_t inTime)
+  {
+    FrameRenderer::Options options = Fewer(asked, 0);
+    options.Fewer.MostDistance = most;
+    std::atomic<std::int64_t> begun{ 0 };
+    options.Fewer.HasTime = [&]() { return begun++ < inTime; };
+    this->Renderer = FrameRenderer();
+    this->Renderer.Render(this->Key, options);
+    EXPECT_EQ(NameOf(this->Statistics().Made), std::string("FewerRays"));
+    return this->Renderer.LastFrame();
+  };
+  const auto at = [&](double distance)
+  {
+    FrameRenderer renderer;
+    renderer.Render(this->Key, Fewer(distance, 0));
+    return renderer.LastFrame();
+  };
+  EXPECT_TRUE(ShowTheSame(render(tiles), at(asked))) << "all in time";
+  EXPECT_TRUE(ShowTheSame(render(tiles - 3), at(asked))) << "nearly all";
+  EXPECT_TRUE(ShowTheSame(render(0), at(most))) << "none";
+  render(tiles / 2);
+  const std::int64_t rays = this->Statistics().GridRays;
+  const std::int64_t pixels = std::int64_t(size.x) * size.y;
+  EXPECT_LT(rays, pixels / 2) << "half of the grid, and a coarser one";
+  this->Renderer.Render(this->Key, {});
+  this->ExpectColdBytes("after a coarser grid");
 }
 
 // Edges that there is no time for wait for the next frames, and become those of one long frame.

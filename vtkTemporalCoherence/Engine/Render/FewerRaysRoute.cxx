@@ -9,6 +9,9 @@
 #include "Render/TileLister.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -19,6 +22,13 @@ namespace
 
 /// The share of a frame's progress that the grid of rays takes.
 constexpr double ShareOfGrid = 0.5;
+
+/// A grid of which this share is traced when the time is up is finished; else a coarser one is
+/// traced.
+constexpr double EnoughOfGrid = 0.6;
+
+/// The coarser grid is to take this share of the time of the first one.
+constexpr double ShareOfSecondGrid = 0.25;
 
 LeapedSpace BeginWhole(FrameTask& task)
 {
@@ -100,9 +110,25 @@ bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& w
   return true;
 }
 
-/// Trace the rays of the grid.
-/// \param whole space of the picture with all rays
-bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, FrameStore& grid)
+/// The tiles of a picture in an order whose every beginning is spread over the picture.
+std::vector<std::int64_t> SpreadTiles(const glm::ivec2& size)
+{
+  constexpr double golden = 0.6180339887498949;
+  std::vector<std::int64_t> tiles(static_cast<std::size_t>(NumberOfTiles(size)));
+  std::iota(tiles.begin(), tiles.end(), std::int64_t(0));
+  const auto place = [](std::int64_t tile) { return std::fmod(golden * double(tile), 1.0); };
+  std::sort(tiles.begin(), tiles.end(),
+    [&](std::int64_t a, std::int64_t b) { return place(a) < place(b); });
+  return tiles;
+}
+
+/// Trace rays of a grid until the time is up.
+/// \param whole  space of the picture with all rays
+/// \param enough share of the grid; if it is traced by then, the rest is, too
+/// \param share  receives the share of the grid that is traced
+/// \return false if the report stopped it
+bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, double enough,
+  FrameStore& grid, double& share)
 {
   FrameStatistics& sum = task.Statistics;
   FrameStatistics statistics;
@@ -118,20 +144,24 @@ bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, F
     PartOf(task.Report, 0.0, ShareOfGrid) };
   {
     const Stopwatch watch(sum.GridTime);
+    const std::function<bool()>& hasTime = task.Options.Fewer.HasTime;
     // One by one: a grid has too few tiles for groups.
-    std::vector<std::int64_t> tiles(static_cast<std::size_t>(NumberOfTiles(key.View.Size)));
-    std::iota(tiles.begin(), tiles.end(), std::int64_t(0));
+    const std::vector<std::int64_t> tiles = SpreadTiles(key.View.Size);
+    const auto least = static_cast<std::size_t>(enough * static_cast<double>(tiles.size()));
+    std::atomic<std::size_t> begun{ 0 };
+    const auto goOn = [&]() { return begun++ >= least || !hasTime || hasTime(); };
     TileLister lister(ofGrid);
     std::size_t number = 0;
     const TileWork work = WorkOf(ofGrid, { whole.Active, &bounds });
-    if (!lister.MakeFront(
-          tiles, ofGrid.Report, []() { return true; }, work, number))
+    if (!lister.MakeFront(tiles, ofGrid.Report, goOn, work, number))
     {
       return false;
     }
+    share = static_cast<double>(number) / static_cast<double>(tiles.size());
     lister.Finish();
   }
-  sum.GridRays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
+  const std::int64_t rays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
+  sum.GridRays += static_cast<std::int64_t>(share * static_cast<double>(rays));
   sum.TracedRays += statistics.TracedRays;
   sum.FieldSamples += statistics.FieldSamples;
   sum.Layers += statistics.Layers;
@@ -139,6 +169,27 @@ bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, F
   sum.TraceTime += statistics.TraceTime;
   sum.ShadeTime += statistics.ShadeTime;
   return true;
+}
+
+/// Trace the rays of the grid, or of a coarser one if that takes too long.
+bool TraceGridInTime(FrameTask& task, const LeapedSpace& whole, FrameStore& grid)
+{
+  const FewerRays& fewer = task.Options.Fewer;
+  const auto keyAt = [&](double distance)
+  { return KeyOfGrid(task.Key, RaysFor(task.Key.View.Size, distance)); };
+  const bool mayBeCoarser = fewer.Distance < fewer.MostDistance;
+  double share = 0.0;
+  if (!TraceGrid(
+        task, keyAt(fewer.Distance), whole, mayBeCoarser ? EnoughOfGrid : 0.0, grid, share))
+  {
+    return false;
+  }
+  if (share == 1.0)
+  {
+    return true;
+  }
+  const double coarser = fewer.Distance / std::sqrt(ShareOfSecondGrid * share);
+  return TraceGrid(task, keyAt(std::min(coarser, fewer.MostDistance)), whole, 0.0, grid, share);
 }
 
 /// Copy a tile from a picture of the same key as it is, answers and kept values included.
@@ -179,9 +230,7 @@ bool CanHaveFewerRays(const FrameKey& key, const FrameOptions& options)
 bool TraceFewerRays(FrameTask& task, FrameStore& grid)
 {
   const LeapedSpace space = BeginWhole(task);
-  const FrameKey key =
-    KeyOfGrid(task.Key, RaysFor(task.Key.View.Size, task.Options.Fewer.Distance));
-  if (!TraceGrid(task, key, space, grid))
+  if (!TraceGridInTime(task, space, grid))
   {
     return false;
   }

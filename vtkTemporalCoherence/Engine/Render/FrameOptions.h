@@ -30,9 +30,12 @@ enum class Antialiasing : std::uint8_t
 struct FewerRays
 {
   double Distance = 1.0; ///< pixels between rays along each axis; 1: each pixel has a ray
+  /// If the time is up long before all rays of the grid are traced, they get farther apart, up to
+  /// this distance.
+  double MostDistance = 1.0;
   std::int64_t Tiles = std::numeric_limits<std::int64_t>::max(); ///< most tiles to trace whole
-  /// Called before each of these tiles is traced, by several threads. It returns false when time is
-  /// up. May be null.
+  /// Called before a tile of the grid or of the picture is traced, by several threads. It returns
+  /// false when time is up. May be null.
   std::function<bool()> HasTime;
 
   bool AreAsked() const { return this->Distance > 1.0; }

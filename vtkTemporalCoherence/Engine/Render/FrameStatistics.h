@@ -27,7 +27,7 @@ struct FrameStatistics
   std::int64_t TilesLookedUp = 0; ///< in existing bands of an isomap
   std::int64_t TilesBuilt = 0;    ///< looked up in bands built for this frame
   std::int64_t TilesTraced = 0;   ///< on the routes of an isomap
-  std::int64_t GridRays = 0;      ///< of a frame from fewer rays: those of the grid
+  std::int64_t GridRays = 0;      ///< of a frame from fewer rays: those of its grids
   double GridTime = 0.0;          ///< seconds to trace these
   double TilesTime = 0.0;         ///< seconds to make tiles
   double FillTime = 0.0;          ///< seconds to fill the tiles between rays

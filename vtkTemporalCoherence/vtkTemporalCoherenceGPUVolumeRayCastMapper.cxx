@@ -187,6 +187,12 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
 /// if it does not. The input is up to date.
 std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassIsFaster(vtkVolume* volume)
 {
+  const bool takesOwnSteps =
+    this->AutoAdjustSampleDistances || this->LockSampleDistanceToInputSpacing;
+  if (!takesOwnSteps && !(this->SampleDistance > 0.0f))
+  {
+    return std::string(); // it would never end
+  }
   if (volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
   {
     return "the interpolation is nearest, which VTK blends faster";

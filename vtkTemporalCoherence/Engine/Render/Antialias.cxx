@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -215,21 +216,34 @@ bool Antialias(FrameTask& task, SurfaceLight* light, Frame& picture)
   // Light is found in whole frames only.
   const std::function<bool()> hasTime = light ? nullptr : task.Options.Fewer.HasTime;
   std::vector<std::uint8_t> open = picture.OpenEdges;
-  open.resize(NumberOfGroups(picture.Size), picture.OpenEdges.empty() ? 1 : 0);
-  std::atomic<bool> isBegun{ false }; // each frame makes one group at least
+  open.resize(
+    static_cast<std::size_t>(NumberOfTiles(picture.Size)), picture.OpenEdges.empty() ? 1 : 0);
+  // A frame that begins without time makes one group.
+  const bool isLate = hasTime && !hasTime();
+  std::atomic<bool> isBegun{ false };
   const std::unique_ptr<RayColors> colors =
     task.Key.IsBlended() ? MakeBlendedColors(task) : MakeSurfaceColors(task, light);
   const EdgeTiles edges(task.Key, *colors, picture);
   const bool isDone = CountGroups(picture.Size, task.Report, task.Statistics,
     [&](std::size_t group, TraceCounts& ofGroup)
     {
-      if (open[group] == 0 || (hasTime && isBegun.exchange(true) && !hasTime()))
-      {
-        return;
-      }
+      std::optional<bool> isMade; // the one group
       CountGroup(picture.Size, group, ofGroup,
-        [&](std::int64_t tile, const PixelRect& part) { return edges.Make(tile, part, shown); });
-      open[group] = 0;
+        [&](std::int64_t tile, const PixelRect& part)
+        {
+          std::uint8_t& isOpen = open[static_cast<std::size_t>(tile)];
+          if (isOpen == 0)
+          {
+            return TraceCounts();
+          }
+          isMade = isMade ? isMade : isLate && !isBegun.exchange(true);
+          if (hasTime && !*isMade && !hasTime())
+          {
+            return TraceCounts();
+          }
+          isOpen = 0;
+          return edges.Make(tile, part, shown);
+        });
     });
   if (isDone)
   {

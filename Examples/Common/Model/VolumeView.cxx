@@ -326,18 +326,18 @@ double VolumeView::FittingBrightness(Look look)
   double& brightness = look.Values[Row::Brightness];
   brightness = 1.0;
   this->Renderer->ResetCameraClippingRange();
+  this->Mapper->ProgressiveImagesOn(); // edges need no more rays here
   for (int trial = 0; trial < trials; ++trial)
   {
     this->Apply(look);
     vtkNew<vtkImageData> picture;
-    if (!this->Mapper->MakeImage(this->Renderer, this->Actor, side, side, picture, nullptr))
-    {
-      return 1.0;
-    }
-    const double grey = BrightGreyOf(picture);
+    const bool isMade =
+      this->Mapper->MakeImage(this->Renderer, this->Actor, side, side, picture, nullptr);
+    const double grey = isMade ? BrightGreyOf(picture) : 0.0;
     if (grey == 0.0)
     {
-      return 0.0;
+      brightness = isMade ? 0.0 : 1.0;
+      break;
     }
     if (grey >= least && grey < white)
     {
@@ -346,6 +346,7 @@ double VolumeView::FittingBrightness(Look look)
     brightness *= grey < white ? aim / grey : 0.1;
     brightness = std::clamp(brightness, limits[0], limits[1]);
   }
+  this->Mapper->ProgressiveImagesOff();
   return brightness;
 }
 

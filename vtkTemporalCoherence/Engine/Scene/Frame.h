@@ -121,7 +121,7 @@ struct Frame
   /// Colors, but with the mean of several rays at edges. Empty: no pixel has more than one ray.
   /// Routes read and write Colors alone, so their pictures do not depend on it.
   Plane<std::array<std::uint8_t, 4>> Antialiased;
-  /// For each group of tiles: 1 while its edges still have one ray a pixel, for want of time.
+  /// For each tile: 1 while its edges still have one ray a pixel, for want of time.
   /// Empty: all of Antialiased is made.
   std::vector<std::uint8_t> OpenEdges;
 

@@ -23,8 +23,8 @@ namespace
 /// The share of a frame's progress that the grid of rays takes.
 constexpr double ShareOfGrid = 0.5;
 
-/// A grid of which this share is traced when the time is up is finished; else a coarser one is
-/// traced.
+/// The share of the grid's rays that must be traced in time. If fewer are, a coarser grid takes
+/// their place.
 constexpr double EnoughOfGrid = 0.6;
 
 /// The coarser grid is to take this share of the time of the first one.

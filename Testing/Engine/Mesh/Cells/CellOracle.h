@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <vector>
 
 /// Where a ray meets surfaces in a cell, by brute force in extended precision. Shares nothing with
@@ -21,6 +22,14 @@ struct Ray
 {
   Vector Origin, Direction;
 };
+
+/// A ray of a batch.
+template <typename Rays>
+Ray RayOf(const Rays& rays, std::size_t i)
+{
+  return { { rays.Origin[0][i], rays.Origin[1][i], rays.Origin[2][i] },
+    { rays.Direction[0][i], rays.Direction[1][i], rays.Direction[2][i] } };
+}
 
 struct Root
 {

@@ -51,12 +51,6 @@ bool AreSame(const std::vector<Crossing>& a, const std::vector<Crossing>& b)
       { return x.Ray == y.Ray && !std::memcmp(&x.T, &y.T, sizeof x.T) && x.Rises == y.Rises; });
 }
 
-CellOracle::Ray RayOf(const MeshRays& rays, std::size_t i)
-{
-  return { { rays.Origin[0][i], rays.Origin[1][i], rays.Origin[2][i] },
-    { rays.Direction[0][i], rays.Direction[1][i], rays.Direction[2][i] } };
-}
-
 /// Compares crossings of a pair with the truth.
 class Judge
 {
@@ -67,7 +61,7 @@ public:
     const auto findTruth = [&](int often)
     {
       return CellOracle::FindInHexahedron(
-        pairs.Cells[i], pairs.Differences[i], RayOf(pairs.Rays, i), often);
+        pairs.Cells[i], pairs.Differences[i], CellOracle::RayOf(pairs.Rays, i), often);
     };
     const CellOracle::Roots truth = findTruth(depth);
     const double size = pairs.Scales[i];

@@ -23,12 +23,6 @@ namespace
 using namespace TemporalCoherence;
 using namespace TemporalCoherence::MeshKernels;
 
-CellOracle::Ray RayOf(const MeshRays& rays, std::size_t i)
-{
-  return { { rays.Origin[0][i], rays.Origin[1][i], rays.Origin[2][i] },
-    { rays.Direction[0][i], rays.Direction[1][i], rays.Direction[2][i] } };
-}
-
 TEST(Tetrahedra, AgreeWithBruteForce)
 {
   const int batches = IsMemorySanitized ? 200 : 5000;
@@ -51,7 +45,7 @@ TEST(Tetrahedra, AgreeWithBruteForce)
     for (std::size_t ray = 0; ray < 64; ++ray)
     {
       const CellOracle::Span truth = CellOracle::FindInTetrahedron(
-        pairs->Cells[ray], pairs->Differences[ray], RayOf(pairs->Rays, ray));
+        pairs->Cells[ray], pairs->Differences[ray], CellOracle::RayOf(pairs->Rays, ray));
       const double size = pairs->Scales[ray], clear = 1e-6;
       ASSERT_LE(count[ray], 1);
       ASSERT_LE(spans->Count[ray], 1);

@@ -31,6 +31,8 @@ PictureSettings SettingsOf(Mapper* mapper)
 {
   PictureSettings settings;
   settings.Vectors = VectorsOf(mapper);
+  settings.Labels = { mapper->GetSurfaceMode() == Mapper::LABELS, mapper->GetOutsideLabel(),
+    mapper->GetLabelTable(), mapper->GetLabelRadius() };
   settings.Mode =
     mapper->GetSurfaceMode() == Mapper::THRESHOLD ? SurfaceMode::Threshold : SurfaceMode::Crossing;
   settings.ColorByAnswer = mapper->GetColorByAnswer() != 0;

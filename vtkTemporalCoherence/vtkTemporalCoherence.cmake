@@ -8,6 +8,8 @@ set(engine_files
   Scene/FrameKey
   Scene/FramePlanes
   Scene/HiddenCells
+  Scene/LabelIndex
+  Scene/LabelSets
   Scene/RayBatch
   Scene/Region
   Scene/View
@@ -32,9 +34,11 @@ set(engine_files
   Lattice/KernelsRange
   Lattice/KernelsRays
   Lattice/KernelsWalk
+  Lattice/LabelTracer
   Lattice/RayPieces
   Lattice/RaySource
   Lattice/RegionClipper
+  Lattice/SmoothLabels
   Lattice/SurfaceTracer
   Lattice/UniformTracer
   ImageCache/ImageCache
@@ -49,6 +53,7 @@ set(engine_files
   Shade/KernelsRectilinear
   Shade/KernelsShading
   Shade/KnownLayers
+  Shade/LabelGradients
   Shade/LayerShader
   Shade/Light/HardShadows
   Shade/Light/KeptShadows
@@ -112,6 +117,7 @@ set(engine_files
   Mesh/Tracing/MeshSolids
   Mesh/Tracing/MeshTracer
   Kinds/FieldKind
+  Kinds/LabelKind
   Kinds/MeshKind
   Kinds/RectilinearKind
   Kinds/UniformKind
@@ -239,6 +245,7 @@ set(bridge_files
   Request/FieldFromMapper
   Request/GradientOpacityFromVolume
   Request/IsovalueCheck
+  Request/LabelsFromVolume
   Request/LightsFromRenderer
   Request/RegionFromMapper
   Request/RequestFromMapper

@@ -31,6 +31,7 @@
 #define vtkTemporalCoherenceVolumeMapper_h
 
 #include "vtkCommand.h"                 // For vtkCommand::UserEvent
+#include "vtkSmartPointer.h"            // For the table of labels
 #include "vtkTemporalCoherenceModule.h" // For export macro
 #include "vtkTemporalCoherencePaperMapper.h"
 #include "vtkTemporalCoherenceStatistics.h" // For the deprecated getters
@@ -41,6 +42,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkPolyData;
 class vtkRenderer;
+class vtkScalarsToColors;
 class vtkVolume;
 class vtkWindow;
 
@@ -56,19 +58,45 @@ public:
   enum SurfaceModes
   {
     CROSSING = 0,
-    THRESHOLD = 1
+    THRESHOLD = 1,
+    LABELS = 2
   };
 
   //@{
   /**
    * Set/Get which crossings of an isovalue are drawn. CROSSING (default): the first crossing on a
    * ray, in either direction. THRESHOLD, as in the paper: the first point where the field is at
-   * least the isovalue. The solid is capped wherever it is cut.
+   * least the isovalue. The solid is capped wherever it is cut. LABELS: samples of an image are
+   * labels, whole numbers that name parts of it; isovalues have no effect. A label is drawn as a
+   * solid, which is capped, too.
    */
   virtual void SetSurfaceMode(int mode);
   vtkGetMacro(SurfaceMode, int);
   void SetSurfaceModeToCrossing() { this->SetSurfaceMode(CROSSING); }
   void SetSurfaceModeToThreshold() { this->SetSurfaceMode(THRESHOLD); }
+  void SetSurfaceModeToLabels() { this->SetSurfaceMode(LABELS); }
+  //@}
+
+  //@{
+  /**
+   * Set/Get how LABELS look. A label has the colour and the opacity of the LabelTable: a
+   * vtkLookupTable with a value for each label, or another vtkScalarsToColors. Without a table
+   * (null, default), they are those of the property's functions at the label's value. Labels with
+   * an opacity of 0 and the OutsideLabel (default: 0) are not drawn. A label that the table lacks
+   * is an error. At most 32767 labels can be drawn at once.
+   *
+   * LabelRadius: how far around a point surfaces between labels are smoothed, in samples, up to 8.
+   * 0 (default): none, faces of voxels are seen. Labels that touch have one surface in common. It
+   * lies within 0.75 samples of these faces, and no part of a label vanishes. Normals are those of
+   * the labels smoothed by a Gaussian with this standard deviation; 2.5 removes most steps. Other
+   * radii are clamped, and NaN is an error.
+   */
+  virtual void SetLabelTable(vtkScalarsToColors* table);
+  vtkScalarsToColors* GetLabelTable();
+  virtual void SetLabelRadius(double samples);
+  vtkGetMacro(LabelRadius, double);
+  vtkSetMacro(OutsideLabel, int);
+  vtkGetMacro(OutsideLabel, int);
   //@}
 
   /** Values of VectorMode. */
@@ -333,7 +361,7 @@ public:
     FRAME_COLOR = 1,          ///< Color: unsigned char RGBA, multiplied by alpha (0)
     FRAME_DEPTH = 2,          ///< Depth: float, world distance along the ray (infinity)
     FRAME_NORMALS = 4,        ///< Normals: three floats, unit normal in the world (0)
-    FRAME_ISOVALUE_INDEX = 8, ///< IsovalueIndex: int, index in GetIsoSurfaceValues() (-1)
+    FRAME_ISOVALUE_INDEX = 8, ///< IsovalueIndex: int, index in GetIsoSurfaceValues(); label (-1)
     FRAME_ANSWER = 16,        ///< Answer: unsigned char, how the ray was answered (any)
     FRAME_ALL = 31            ///< all of these
   };
@@ -382,7 +410,8 @@ public:
    * Position and normal are in world coordinates; the normal is a unit vector and faces the viewer.
    * Each result may be null. In a blended volume, the position is the first visible place on the
    * ray (of maxima and minima, the value's place), and the index is -1. The normal is the
-   * gradient's direction in COMPOSITE_BLEND without several independent components, else 0.
+   * gradient's direction in COMPOSITE_BLEND without several independent components, else 0. With
+   * LABELS, the index is the label.
    * @return false if there is no surface, no such pixel or no frame. Nothing is written then.
    */
   bool PickPixel(int x, int y, double position[3], double normal[3], int* isovalueIndex);
@@ -450,7 +479,8 @@ public:
 
   /**
    * Return true if everything that this mapper draws of the volume is opaque: no isovalue has a
-   * scalar opacity between 0 and 1, and there is no gradient opacity. False for blended volumes.
+   * scalar opacity between 0 and 1, and there is no gradient opacity. False for blended volumes,
+   * and for labels before their first frame.
    */
   bool IsOpaque(vtkVolume* volume);
 
@@ -534,6 +564,9 @@ private:
   void operator=(const vtkTemporalCoherenceVolumeMapper&) = delete;
 
   int SurfaceMode = CROSSING;
+  vtkSmartPointer<vtkScalarsToColors> LabelTable;
+  int OutsideLabel = 0;
+  double LabelRadius = 0.0;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
   vtkTypeBool SmoothMeshNormals = 0;

@@ -8,6 +8,8 @@
 #include "Choice.h"
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
+#include <vtkScalarsToColors.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -47,7 +49,30 @@ void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
 void vtkTemporalCoherenceVolumeMapper::SetSurfaceMode(int mode)
 {
   TemporalCoherence::SetChoice(this, "SurfaceMode", mode,
-    { { CROSSING, "CROSSING" }, { THRESHOLD, "THRESHOLD" } }, this->SurfaceMode);
+    { { CROSSING, "CROSSING" }, { THRESHOLD, "THRESHOLD" }, { LABELS, "LABELS" } },
+    this->SurfaceMode);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetLabelTable(vtkScalarsToColors* table)
+{
+  if (this->LabelTable != table)
+  {
+    this->LabelTable = table;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkScalarsToColors* vtkTemporalCoherenceVolumeMapper::GetLabelTable()
+{
+  return this->LabelTable;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetLabelRadius(double samples)
+{
+  this->Internal->SetWithin("LabelRadius", samples, 0.0, 8.0, this->LabelRadius);
 }
 
 //------------------------------------------------------------------------------
@@ -132,8 +157,11 @@ void vtkTemporalCoherenceVolumeMapper::SetMaximumImageSampleDistance(float pixel
 void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SurfaceMode: " << (this->SurfaceMode == THRESHOLD ? "THRESHOLD" : "CROSSING")
-     << endl;
+  const char* const modes[] = { "CROSSING", "THRESHOLD", "LABELS" };
+  os << indent << "SurfaceMode: " << modes[this->SurfaceMode] << endl;
+  os << indent << "LabelTable: " << this->LabelTable.GetPointer() << endl;
+  os << indent << "OutsideLabel: " << this->OutsideLabel << endl;
+  os << indent << "LabelRadius: " << this->LabelRadius << endl;
   os << indent << "VectorMode: " << this->VectorMode << endl;
   os << indent << "VectorComponent: " << this->VectorComponent << endl;
   os << indent << "SmoothMeshNormals: " << this->SmoothMeshNormals << endl;

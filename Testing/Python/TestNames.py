@@ -27,7 +27,7 @@ CLASSES = (
 
 # Set...To..., the value that Get... returns then, and the constant of that value.
 CHOICES = {
-    "SurfaceMode": {"Crossing": "CROSSING", "Threshold": "THRESHOLD"},
+    "SurfaceMode": {"Crossing": "CROSSING", "Threshold": "THRESHOLD", "Labels": "LABELS"},
     "VectorMode": {"Disabled": "DISABLED", "Magnitude": "MAGNITUDE", "Component": "COMPONENT"},
     "ReuseAccuracy": {"Exact": "EXACT", "Paper": "PAPER"},
     "ImageCachePolicy": {"Latest": "LATEST", "KeyImage": "KEY_IMAGE"},
@@ -36,7 +36,7 @@ CHOICES = {
     "Antialiasing": {"WhenStill": "ANTIALIASING_WHEN_STILL", "Off": "ANTIALIASING_OFF", "Always": "ANTIALIASING_ALWAYS"},
 }
 CONSTANTS = {
-    "CROSSING": 0, "THRESHOLD": 1, "DISABLED": -1, "MAGNITUDE": 0, "COMPONENT": 1, "BOUNDED": 0,
+    "CROSSING": 0, "THRESHOLD": 1, "LABELS": 2, "DISABLED": -1, "MAGNITUDE": 0, "COMPONENT": 1, "BOUNDED": 0,
     "EXACT": 1, "PAPER": 2, "LATEST": 0, "KEY_IMAGE": 1, "RESHADE": 0, "INTERPOLATE": 1, "ROUTE_COLD": 0, "ROUTE_REDISPLAY": 1,
     "ROUTE_RESHADE": 2, "ROUTE_ISOMAP_LOOKUP": 3, "ROUTE_ISOMAP_BUILD": 4,
     "ROUTE_IMAGE_CACHE": 6, "ROUTE_TIME_STEP": 7, "ROUTE_RECOMPOSITE": 8, "ROUTE_KEEP_VALUES": 10,
@@ -53,7 +53,7 @@ SWITCHES = {
 NUMBERS = {
     "KeyImageInterval": (7, 3), "NumberOfCachedImages": (1, 4), "IsomapTolerance": (0.0, 0.25),
     "IsomapMemoryLimit": (256, 64), "IsomapRange": ((1.0, 0.0), (10.0, 20.0)),
-    "VectorComponent": (0, 2), "ImageSampleDistance": (1.0, 2.0),
+    "LabelRadius": (0.0, 2.5), "OutsideLabel": (0, 3), "VectorComponent": (0, 2), "ImageSampleDistance": (1.0, 2.0),
     "MinimumImageSampleDistance": (1.0, 2.0), "MaximumImageSampleDistance": (10.0, 4.0),
 }
 STATISTICS = (

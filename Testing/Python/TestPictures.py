@@ -438,7 +438,11 @@ class Pages(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             os.chdir(folder)
             try:
-                exec(code, {"array": (200.0 * distances()).astype(numpy.float32)})
+                labels = (distances() < 0.7).astype(numpy.uint8)
+                labels[:, :, labels.shape[2] // 2:] *= 2
+                exec(code, {
+                    "array": (200.0 * distances()).astype(numpy.float32), "labels": labels,
+                    "segmentation": vtkTemporalCoherence.segmentation})
             finally:
                 os.chdir(before)
             for name in ("surfaces.png", "bone.png"):

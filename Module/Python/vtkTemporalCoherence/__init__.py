@@ -10,6 +10,7 @@ volume.GetProperty().GetIsoSurfaceValues(). help(vtkTemporalCoherenceVolumeMappe
 
     isosurface             isosurfaces of any grid or array: a picture, or an actor for plotters
     composite, maximum     half transparent volumes and maxima, in the same way
+    segmentation           surfaces of labels, with names and colours
     use_everywhere         let it draw the isosurfaces of VTK's own mappers, made from now on
     replace_mapper         put it into a vtkVolume that has another mapper
     numpy_to_image         a volume from a NumPy array
@@ -18,7 +19,8 @@ volume.GetProperty().GetIsoSurfaceValues(). help(vtkTemporalCoherenceVolumeMappe
     write_png              a picture into a file
 
 The last four are those of vtkTemporalCoherence.numpy_support. They need NumPy, and so do arrays,
-pictures and blended volumes. What the first three make is a PicturedVolume, and its picture a Picture.
+pictures, blended volumes and segmentations. What the first four make is a PicturedVolume, and its
+picture a Picture.
 
 Pages that are named here, such as Documentation/Mapper.md, lie in the folder of this package.
 
@@ -45,6 +47,7 @@ from .everywhere import use_everywhere
 from .isosurfaces import IsosurfaceVolume, isosurface
 from .mapper_support import replace_mapper
 from .pictures import Picture, PicturedVolume
+from .segmentations import SegmentationVolume, segmentation
 from .version import __version__
 from .vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper,
@@ -69,11 +72,13 @@ __all__ = [
     "IsosurfaceVolume",
     "Picture",
     "PicturedVolume",
+    "SegmentationVolume",
     "__version__",
     "composite",
     "isosurface",
     "maximum",
     "replace_mapper",
+    "segmentation",
     "use_everywhere",
     "vtkTemporalCoherenceDropInMapper",
     "vtkTemporalCoherenceGPUVolumeRayCastMapper",

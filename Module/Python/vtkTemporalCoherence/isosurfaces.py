@@ -301,11 +301,11 @@ def _checked_colors(color: Any) -> list[tuple[float, float, float]]:
             parts = []
         if parts and not all(isinstance(part, (int, float)) or hasattr(part, "dtype") and
                              part.ndim == 0 for part in parts):
-            return [_checked_color(part) for part in parts]
-    return [_checked_color(color)]
+            return [checked_color(part) for part in parts]
+    return [checked_color(color)]
 
 
-def _checked_color(color: Any) -> tuple[float, float, float]:
+def checked_color(color: Any) -> tuple[float, float, float]:
     if hasattr(color, "float_rgb"):
         return tuple(color.float_rgb)  # a pyvista.Color
     if isinstance(color, str):

@@ -449,8 +449,8 @@ void TestChoices()
       mapper, [&](int value) { (mapper->*set)(value); }, [&] { return (mapper->*get)(); }, last,
       sentence);
   };
-  expectOfMapper(&Mapper::SetSurfaceMode, &Mapper::GetSurfaceMode, Mapper::THRESHOLD,
-    "SurfaceMode must be CROSSING (0) or THRESHOLD (1); it stays THRESHOLD (1).");
+  expectOfMapper(&Mapper::SetSurfaceMode, &Mapper::GetSurfaceMode, Mapper::LABELS,
+    "SurfaceMode must be CROSSING (0), THRESHOLD (1) or LABELS (2); it stays LABELS (2).");
   expectOfMapper(&Mapper::SetVectorMode, &Mapper::GetVectorMode, Mapper::COMPONENT,
     "VectorMode must be DISABLED (-1), MAGNITUDE (0) or COMPONENT (1); it stays COMPONENT (1).");
   expectOfMapper(&Mapper::SetAntialiasing, &Mapper::GetAntialiasing, Mapper::ANTIALIASING_ALWAYS,

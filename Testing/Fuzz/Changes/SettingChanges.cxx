@@ -14,7 +14,11 @@ namespace
 
 void SurfaceMode(World& world)
 {
-  world.Subject->SetSurfaceMode(world.From.IsWild() ? world.From.WildInt() : world.From.Pick(2));
+  // The oracle does not know labels.
+  const int mode = world.From.IsWild() ? world.From.WildInt() : world.From.Pick(2);
+  world.Subject->SetSurfaceMode(mode == vtkTemporalCoherenceVolumeMapper::LABELS
+      ? vtkTemporalCoherenceVolumeMapper::CROSSING
+      : mode);
   Story::Tell("  surface mode ", world.Subject->GetSurfaceMode());
 }
 

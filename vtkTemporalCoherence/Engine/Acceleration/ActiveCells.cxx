@@ -4,6 +4,7 @@
 
 #include "Acceleration/ValuesInBand.h"
 #include "Scene/CellBox.h"
+#include "Scene/LabelSets.h"
 #include "Scene/Parallel.h"
 
 #include <algorithm>
@@ -56,6 +57,11 @@ void ActiveCells::Build(
   const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces)
 {
   this->Release();
+  if (field.Labels)
+  {
+    this->Labels = std::make_shared<const LabelIndex>(surfaces.Isovalues);
+    this->BitsOfLabels = LabelSets::BitsOf(surfaces.Isovalues);
+  }
   for (const double isovalue : surfaces.Isovalues)
   {
     this->Bands.push_back({ isovalue, HighestActive(field, isovalue, surfaces.Mode) });
@@ -137,8 +143,9 @@ void ActiveCells::FindLeaves(
         [&](std::int64_t node)
         {
           const auto* ranges = pyramid.LeavesOf<T>(node);
-          std::uint64_t leaves = 0;
-          for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
+          std::uint64_t leaves =
+            this->Labels ? field.Labels->LeavesWith(this->BitsOfLabels, node) : 0;
+          for (int i = 0; !this->Labels && i < ValueRangePyramid::LeavesPerNode; ++i)
           {
             leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Bands)) << i;
           }
@@ -222,6 +229,7 @@ void ActiveCells::Release()
   this->Above.clear();
   this->Hidden.reset();
   this->IsCapped = false;
+  this->Labels.reset();
 }
 
 std::size_t ActiveCells::MemoryInBytes() const

@@ -6,6 +6,7 @@
 #include "Acceleration/ValueRangePyramid.h"
 #include "Scene/Field.h"
 #include "Scene/HiddenCells.h"
+#include "Scene/LabelIndex.h"
 #include "Scene/Surfaces.h"
 
 #include <algorithm>
@@ -24,6 +25,9 @@ namespace TemporalCoherence
 /// such a cell can hold a surface. For a band, a sample must reach the lowest isovalue and another
 /// sample must lie below the highest. Hidden cells are never active. With THRESHOLD their
 /// neighbours are active unless they are outside, because solids are capped there.
+///
+/// If samples are labels, a cell is active where its samples have different labels and some label
+/// is drawn.
 ///
 /// Each node of the pyramid has a 64-bit word for its active leaves, and each active leaf one for
 /// its active cells. A ray skips 16 or 4 cells in one step where a word is empty, and tests a cell
@@ -99,8 +103,9 @@ public:
     std::uint64_t cells = word.load(std::memory_order_relaxed);
     if (cells == 0)
     {
-      // An active leaf has an active cell, so that 0 can mean "not yet known".
-      cells = this->FindCells(field, cell & ~3);
+      // An active leaf has an active cell, so that 0 can mean "not yet known". One with several
+      // labels may have none: a superfluous active cell does no harm.
+      cells = std::max(this->FindCells(field, cell & ~3), std::uint64_t(1));
       word.store(cells, std::memory_order_relaxed);
     }
     return cells;
@@ -171,6 +176,9 @@ private:
     const TypedField<T>& field, const std::vector<ValueBand>& bands, const glm::ivec3& firstCell);
 
   template <typename T>
+  std::uint64_t CellsOfLabels(const TypedField<T>& field, const glm::ivec3& firstCell) const;
+
+  template <typename T>
   std::uint64_t WithoutHidden(
     const TypedField<T>& field, const glm::ivec3& firstCell, std::uint64_t active) const;
 
@@ -196,11 +204,17 @@ private:
   std::vector<Level> Above;
   std::shared_ptr<const HiddenCells> Hidden; ///< null for none
   bool IsCapped = false;                     ///< THRESHOLD solids are capped at hidden cells
+  std::shared_ptr<const LabelIndex> Labels;  ///< that are drawn; null: samples are no labels
+  std::uint64_t BitsOfLabels = 0;            ///< LabelSets::BitsOf these
 };
 
 template <typename T>
 std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec3& firstCell) const
 {
+  if (this->Labels)
+  {
+    return this->CellsOfLabels(field, firstCell);
+  }
   std::uint64_t active = CellsWithin(field, this->Bands, firstCell);
   for (const SeenValues& other : this->Others)
   {
@@ -254,6 +268,59 @@ std::uint64_t ActiveCells::CellsWithin(
   // Rows of fewer than five samples have fewer than four cells.
   const std::uint64_t cellsInRow = (1u << (samples.x - 1)) - 1u;
   return active & (cellsInRow * 0x1111111111111111u);
+}
+
+/// The active cells of a leaf of labels.
+template <typename T>
+std::uint64_t ActiveCells::CellsOfLabels(
+  const TypedField<T>& field, const glm::ivec3& firstCell) const
+{
+  const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
+  const std::uint32_t cellsInRow = (1u << (samples.x - 1)) - 1u;
+  std::uint64_t drawn = 0, mixed = 0; // cells with a sample that is drawn, and with two labels
+  for (int k = 0; k < samples.z; ++k)
+  {
+    for (int j = 0; j < samples.y; ++j)
+    {
+      // Bits of a row: samples that are drawn, and samples that differ from the next one along each
+      // axis.
+      std::uint32_t isDrawn = 0;
+      std::array<std::uint32_t, 3> differs{};
+      const T* const row = field.At(firstCell + glm::ivec3(0, j, k));
+      for (int i = 0; i < samples.x; ++i)
+      {
+        const T* const sample = row + i * field.Strides.x;
+        const auto isOther = [&](bool hasNext, std::int64_t stride)
+        { return static_cast<std::uint32_t>(hasNext && sample[0] != sample[stride]) << i; };
+        const std::int16_t surface = this->Labels->Of(static_cast<std::int64_t>(*sample));
+        isDrawn |= static_cast<std::uint32_t>(surface != Frame::NoSurface) << i;
+        differs[0] |= isOther(i + 1 < samples.x, field.Strides.x);
+        differs[1] |= isOther(j + 1 < samples.y, field.Strides.y);
+        differs[2] |= isOther(k + 1 < samples.z, field.Strides.z);
+      }
+      // Neighbouring cells share samples and edges.
+      const auto besideX = [&](std::uint32_t bits) -> std::uint64_t
+      { return (bits | bits >> 1) & cellsInRow; };
+      for (int z = k > 0 ? k - 1 : 0; z <= k && z < samples.z - 1; ++z)
+      {
+        for (int y = j > 0 ? j - 1 : 0; y <= j && y < samples.y - 1; ++y)
+        {
+          const int at = 4 * y + 16 * z;
+          drawn |= besideX(isDrawn) << at;
+          mixed |= static_cast<std::uint64_t>(differs[0]) << at;
+          mixed |= (y == j ? besideX(differs[1]) : 0) << at;
+          mixed |= (z == k ? besideX(differs[2]) : 0) << at;
+        }
+      }
+    }
+  }
+  const std::uint64_t active = mixed & drawn;
+  if (!this->Hidden)
+  {
+    return active;
+  }
+  const std::uint64_t hidden = this->Hidden->LeafAt(firstCell);
+  return (active | (drawn & this->Hidden->Around(firstCell))) & ~hidden;
 }
 
 /// The active cells of a leaf, given the cells that would be active without hidden cells.

@@ -21,6 +21,7 @@ namespace TemporalCoherence
 /// | kind        | surfaces and layers          | isomaps           | blended volumes           |
 /// |-------------|------------------------------|-------------------|---------------------------|
 /// | uniform     | UniformTracer                | UniformBandTracer | LatticeBlending           |
+/// | labels      | LabelTracer                  | none              | none                      |
 /// | rectilinear | CellTracer (RectilinearKind) | CellBandTracer    | LatticeBlending           |
 /// | mesh        | MeshTracer                   | MeshBandTracer    | none: an error says to    |
 /// |             |                              |                   | resample, or draw surfaces|

@@ -316,7 +316,7 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   const bool isExactAsked = options.Accuracy == ReuseAccuracy::Exact;
   HeldForReuse held;
   held.IsExact = last.IsExact;
-  held.Image = hasImage && !isExactAsked;
+  held.Image = hasImage && !isExactAsked && !key.Samples.Labels;
   held.CanBuildIsomap = this->Map.CanBuild(key, options.Map);
   held.IsIsomapExact = this->Map.Built().Tolerance() == 0.0 && !options.Map.HasNormals;
   held.Isomap = this->Map.Covers(key, options.Map);

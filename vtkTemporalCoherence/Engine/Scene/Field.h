@@ -16,6 +16,7 @@ namespace TemporalCoherence
 {
 
 class HiddenCells;
+class LabelSets;
 
 /// The type of one sample in memory.
 enum class ScalarType : std::uint8_t
@@ -60,6 +61,10 @@ struct Field
   /// Cells that hold no surface: flagged cells, and cells with a NaN sample. Null for none. Derived
   /// from the other members, together with the value ranges (FieldRanges).
   std::shared_ptr<const HiddenCells> Hidden;
+  /// The labels, if samples are labels, which have no order; else null. Derived from the other
+  /// members. Isovalues are the labels that are drawn then: solids that begin where the nearest
+  /// sample becomes their label.
+  std::shared_ptr<const LabelSets> Labels;
 
   /// True if the samples do not fit into a processor's caches, so that prefetching pays.
   bool IsLarge() const

@@ -10,6 +10,7 @@
 #include <vtkContourValues.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkRenderer.h>
+#include <vtkScalarsToColors.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
@@ -23,10 +24,16 @@ namespace TemporalCoherence
 namespace
 {
 
-glm::dvec3 ColorAt(vtkVolumeProperty* property, int component, double value)
+glm::dvec3 ColorAt(const SurfaceLooks& looks, double value)
 {
+  vtkVolumeProperty* const property = looks.Property;
+  const int component = looks.Component;
   glm::dvec3 color;
-  if (property->GetColorChannels(component) == 3)
+  if (looks.Table)
+  {
+    looks.Table->GetColor(value, &color.x);
+  }
+  else if (property->GetColorChannels(component) == 3)
   {
     property->GetRGBTransferFunction(component)->GetColor(value, &color.x);
   }
@@ -45,20 +52,21 @@ std::string At(double isovalue)
   return where.str();
 }
 
-bool FindColors(vtkVolumeProperty* property, int component, const std::vector<double>& isovalues,
+bool FindColors(const SurfaceLooks& looks, const std::vector<double>& isovalues,
   std::vector<glm::dvec3>& colors, std::string& error)
 {
   for (const double isovalue : isovalues)
   {
-    const glm::dvec3 color = ColorAt(property, component, isovalue);
+    const glm::dvec3 color = ColorAt(looks, isovalue);
     for (int channel = 0; channel < 3; ++channel)
     {
       if (!Allowed::Color.Holds(color[channel]))
       {
         SettingCheck check({ "the volume's property" }, error);
         check(("Colour " + At(isovalue)).c_str(), color[channel], Allowed::Color,
-          property->GetColorChannels(component) == 3 ? "GetRGBTransferFunction()->AddRGBPoint"
-                                                     : "GetGrayTransferFunction()->AddPoint");
+          looks.Property->GetColorChannels(looks.Component) == 3
+            ? "GetRGBTransferFunction()->AddRGBPoint"
+            : "GetGrayTransferFunction()->AddPoint");
         return false;
       }
     }
@@ -139,11 +147,13 @@ bool IsOpaque(vtkContourValues* list, vtkVolumeProperty* property, int component
     byGradient.Nodes.empty();
 }
 
-bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
+bool MakeAppearance(const SurfaceLooks& looks, vtkRenderer* renderer,
   const std::vector<double>& isovalues, Appearance& appearance, std::string& error)
 {
+  vtkVolumeProperty* const property = looks.Property;
+  const int component = looks.Component;
   appearance.Shade = property->GetShade() != 0;
-  if (!FindColors(property, component, isovalues, appearance.Colors, error))
+  if (!FindColors(looks, isovalues, appearance.Colors, error))
   {
     return false;
   }

@@ -13,6 +13,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkContourValues;
 class vtkRenderer;
+class vtkScalarsToColors;
 class vtkVolumeProperty;
 VTK_ABI_NAMESPACE_END
 
@@ -35,13 +36,21 @@ bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int compo
 /// True if all surfaces of a component of a property are opaque, whatever the gradient.
 bool IsOpaque(vtkContourValues* list, vtkVolumeProperty* property, int component);
 
+/// What surfaces look like.
+struct SurfaceLooks
+{
+  vtkVolumeProperty* Property;
+  int Component = 0;                   ///< of the property
+  vtkScalarsToColors* Table = nullptr; ///< has the colours; null: the property has them
+};
+
 /// Make the appearance: colours at the isovalues, shading of a component of the property, and
 /// lights of the renderer. Numbers without effect are not checked, for example coefficients if
 /// shading is off.
 /// \param appearance is empty before
 /// \param error      receives the mistake and its remedy
 /// \return false on error, for example if a colour is NaN
-bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
+bool MakeAppearance(const SurfaceLooks& looks, vtkRenderer* renderer,
   const std::vector<double>& isovalues, Appearance& appearance, std::string& error);
 
 }

@@ -9,6 +9,7 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -52,12 +53,21 @@ void Explain(const ValueRangePyramid& ranges, std::ostringstream& what)
        << range.y << " with GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property.";
 }
 
+constexpr const char* NoLabelIsDrawn =
+  "No label is drawn: the image has none but the OutsideLabel, or all have an opacity of 0; raise "
+  "opacities in the LabelTable, or with GetScalarOpacity()->AddPoint of the volume's property.";
+
 }
 
 std::string IsovalueCheck::Check(
   const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges)
 {
   const Surfaces& surfaces = request.Key.Isosurfaces();
+  if (request.Key.Samples.Labels)
+  {
+    const bool isWarned = std::exchange(this->AreLabelsSettled, true);
+    return isWarned || !surfaces.Isovalues.empty() ? "" : NoLabelIsDrawn;
+  }
   std::vector<double> isovalues = surfaces.Isovalues;
   const bool isTransparent = isovalues.empty();
   // A user may fade a surface out. But the default 0 is no choice, and opacities are often made for

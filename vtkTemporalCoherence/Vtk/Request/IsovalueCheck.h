@@ -25,7 +25,8 @@ public:
     const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges);
 
 private:
-  bool IsSettled = false; ///< a surface or a warning was shown
+  bool IsSettled = false;        ///< a surface or a warning was shown
+  bool AreLabelsSettled = false; ///< the same of labels
 };
 
 }

@@ -13,6 +13,7 @@
 #include <vtkVolumeProperty.h>
 
 #include <cmath>
+#include <exception>
 #include <optional>
 #include <sstream>
 
@@ -99,13 +100,21 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
             "mapper of its own in the same renderer, where they hide one another by their depths.";
     return false;
   }
+  const bool isBlended = mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND;
+  const bool areLabels = settings.Labels.AreDrawn && !isBlended;
+  if (areLabels && settings.Mask.Image && settings.Mask.IsLabelMap)
+  {
+    error =
+      "Labels are drawn, so the labels of a mask have no meaning; call SetMaskTypeToBinary(), "
+      "or SetMaskInput(nullptr) and hide labels by the LabelTable.";
+    return false;
+  }
   DrawnComponent drawn;
   if (!this->FindDrawn(mapper, settings, volume, drawn, error))
   {
     return false;
   }
   FrameKey& key = request.Key;
-  const bool isBlended = mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND;
   key.Appearance = {};
   if ((sight.Renderer && !MakeView(sight.Renderer, sight.Size, sight.Aspect, key.View, error)) ||
     !(isBlended
@@ -120,7 +129,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   FieldQuery query;
   query.Mapper = mapper;
   query.Volume = volume;
-  query.Isovalues = isBlended ? nullptr : &key.Isosurfaces().Isovalues;
+  query.Isovalues = isBlended || areLabels ? nullptr : &key.Isosurfaces().Isovalues;
   query.Mask = settings.Mask;
   query.NeedsScalarRanges = isBlended;
   query.AveragedGradients = settings.AveragedGradients;
@@ -129,8 +138,10 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   this->Drawn = drawn;
   this->IsMakingField = true;
   // Input without cells is no mistake: the picture is empty.
-  const bool isMade =
-    this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
+  const bool isMade = this->Fields.IsEmpty() ||
+    (this->MakeScene(query, drawn.OfProperty, request, error) &&
+      (!areLabels ||
+        this->MakeLabels(settings, volume, sight.Renderer, drawn.OfProperty, request, error)));
   this->IsMakingField = false;
   SetMutualLight(settings, key);
   if (isMade && isBlended)
@@ -166,6 +177,11 @@ bool RequestFromMapper::MakeSurfaces(const PictureSettings& settings, vtkVolume*
 {
   FrameKey& key = request.Key;
   vtkVolumeProperty* property = volume->GetProperty();
+  if (settings.Labels.AreDrawn)
+  {
+    key.Shown.emplace<Surfaces>().Mode = SurfaceMode::Threshold; // MakeLabels does the rest
+    return true;
+  }
   request.IsovalueList = ChooseIsovalues(property, settings.DepthPass);
   Surfaces& surfaces = key.Shown.emplace<Surfaces>();
   surfaces.Mode = settings.Mode;
@@ -173,7 +189,7 @@ bool RequestFromMapper::MakeSurfaces(const PictureSettings& settings, vtkVolume*
            request.IsovaluePlaces, error) &&
     (!renderer ||
       MakeAppearance(
-        property, drawn.OfProperty, renderer, surfaces.Isovalues, key.Appearance, error));
+        { property, drawn.OfProperty }, renderer, surfaces.Isovalues, key.Appearance, error));
 }
 
 /// Make the blending of a key's volume and, for a viewer, its lights.
@@ -185,6 +201,30 @@ bool RequestFromMapper::MakeBlending(vtkVolumeMapper* mapper, const PictureSetti
   return this->Blendings.Make(mapper, volume, drawn, settings.SampleDistance, blending, error) &&
     (!renderer ||
       BlendingFromVolume::MakeLights(renderer, blending, request.Key.Appearance, error));
+}
+
+/// Find the labels to draw, in a key whose field is made, and their appearance.
+bool RequestFromMapper::MakeLabels(const PictureSettings& settings, vtkVolume* volume,
+  vtkRenderer* renderer, int component, FrameRequest& request, std::string& error)
+{
+  FrameKey& key = request.Key;
+  vtkVolumeProperty* property = volume->GetProperty();
+  Surfaces& surfaces = key.EditIsosurfaces();
+  surfaces.ByGradient = {}; // labels have no gradient
+  try
+  {
+    return this->Labels.Make(key.Samples, settings.Labels.Radius, error) &&
+      this->Labels.Find(
+        settings.Labels, property, component, surfaces, request.IsovaluePlaces, error) &&
+      (!renderer ||
+        MakeAppearance({ property, component, settings.Labels.Table }, renderer, surfaces.Isovalues,
+          key.Appearance, error));
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory for the labels of the input; free memory.";
+    return false;
+  }
 }
 
 namespace
@@ -264,6 +304,15 @@ bool RequestFromMapper::IsOpaque(
     this->FindDrawn(mapper, settings, volume, drawn, error);
   }
   vtkVolumeProperty* property = volume->GetProperty();
+  if (settings.Labels.AreDrawn)
+  {
+    // Before the first frame nothing is known of the labels.
+    Surfaces surfaces;
+    std::vector<int> labels;
+    return this->Labels.AreKnown() &&
+      this->Labels.Find(settings.Labels, property, drawn.OfProperty, surfaces, labels, error) &&
+      surfaces.Opacities.empty();
+  }
   return TemporalCoherence::IsOpaque(
     ChooseIsovalues(property, settings.DepthPass), property, drawn.OfProperty);
 }
@@ -271,6 +320,7 @@ bool RequestFromMapper::IsOpaque(
 void RequestFromMapper::Release()
 {
   this->Fields.Release();
+  this->Labels.Release();
 }
 
 }

@@ -5,6 +5,7 @@
 
 #include "Request/BlendingFromVolume.h"
 #include "Request/FieldFromMapper.h"
+#include "Request/LabelsFromVolume.h"
 #include "Scene/FrameKey.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -31,6 +32,7 @@ struct PictureSettings
 {
   VectorChoice Vectors;
   SurfaceMode Mode = SurfaceMode::Crossing;
+  LabelSettings Labels;
   bool ColorByAnswer = false;
   double ColorWindow = 1.0, ColorLevel = 0.5; ///< maps colours level +- window / 2 to [0, 1]
   vtkContourValues* DepthPass = nullptr;      ///< isovalues if the property has none; or null
@@ -56,8 +58,9 @@ struct FrameSight
 struct FrameRequest
 {
   FrameKey Key;
-  std::vector<int> IsovaluePlaces; ///< position in the list, for each isovalue of the key
-  vtkSmartPointer<vtkContourValues> IsovalueList; ///< including transparent ones
+  /// For each isovalue of the key its position in the list; for a label, the label.
+  std::vector<int> IsovaluePlaces;
+  vtkSmartPointer<vtkContourValues> IsovalueList; ///< including transparent ones; null for labels
 
   bool ComparesDepths = true; ///< with the window's depths, when it is shown there
 
@@ -95,9 +98,12 @@ private:
   bool MakeBlending(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume,
     vtkRenderer* renderer, const DrawnComponent& drawn, FrameRequest& request, std::string& error);
   bool MakeScene(const FieldQuery& query, int component, FrameRequest& request, std::string& error);
+  bool MakeLabels(const PictureSettings& settings, vtkVolume* volume, vtkRenderer* renderer,
+    int component, FrameRequest& request, std::string& error);
 
   FieldFromMapper Fields;
   BlendingFromVolume Blendings;
+  LabelsFromVolume Labels;
   DrawnComponent Drawn;       ///< from the last search
   bool IsMakingField = false; ///< meanwhile observers may ask anything
 };

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_LabelIndex_h
+#define TemporalCoherence_LabelIndex_h
+
+#include "Scene/Frame.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Finds the positions of labels in a list of labels. A label is a whole number that names a part
+/// of the data.
+class LabelIndex
+{
+public:
+  /// \param labels in any order, each once
+  /// \throws std::bad_alloc
+  explicit LabelIndex(const std::vector<double>& labels);
+
+  /// The position of a label in the list; Frame::NoSurface if it is not there.
+  std::int16_t Of(std::int64_t label) const
+  {
+    const std::uint64_t place =
+      static_cast<std::uint64_t>(label) - static_cast<std::uint64_t>(this->Lowest);
+    return place < this->Places.size() ? this->Places[static_cast<std::size_t>(place)]
+                                       : this->Search(label);
+  }
+
+private:
+  std::int16_t Search(std::int64_t label) const;
+
+  std::int64_t Lowest = 0;
+  std::vector<std::int16_t> Places; ///< of the labels from Lowest on, unless they lie far apart
+  std::vector<std::pair<std::int64_t, std::int16_t>> Sorted; ///< all labels, if they lie far apart
+};
+
+}
+
+#endif

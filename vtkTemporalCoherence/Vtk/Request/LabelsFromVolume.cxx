@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Request/LabelsFromVolume.h"
+
+#include "Input/SettingCheck.h"
+#include "Kinds/LabelKind.h"
+
+#include <vtkLookupTable.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkVariant.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Smooth surfaces that take more, in bytes, are forgotten before the next frame.
+constexpr std::size_t MostMemory = std::size_t(1) << 30;
+
+/// True if a table has a colour of its own for a label.
+bool Has(vtkScalarsToColors* table, std::int64_t label)
+{
+  if (table->GetIndexedLookup())
+  {
+    return table->GetAnnotatedValueIndex(vtkVariant(static_cast<double>(label))) >= 0;
+  }
+  const auto* const lookup = vtkLookupTable::SafeDownCast(table);
+  const double* const range = table->GetRange();
+  const auto value = static_cast<double>(label);
+  return !lookup || (value >= range[0] && value <= range[1]);
+}
+
+bool CheckTable(vtkScalarsToColors* table, std::int64_t label, std::string& error)
+{
+  if (Has(table, label))
+  {
+    return true;
+  }
+  error = "The LabelTable has no colour for label " + std::to_string(label) +
+    (table->GetIndexedLookup()
+        ? "; add one with SetAnnotation, with an opacity of 0 if it is not to be drawn."
+        : "; widen it with SetNumberOfTableValues and SetTableRange, with an opacity of 0 if the "
+          "label is not to be drawn.");
+  return false;
+}
+
+}
+
+bool LabelsFromVolume::Make(Field& samples, double radius, std::string& error)
+{
+  const bool isLattice = !samples.Shape->Abilities().IsMesh;
+  if (!isLattice || !AreSame(samples.Shape, UniformShape()))
+  {
+    error = "Labels can only be drawn of images; call SetSurfaceModeToThreshold(), or resample the "
+            "input with vtkResampleToImage.";
+    return false;
+  }
+  if (samples.Type == ScalarType::Float32 || samples.Type == ScalarType::Float64)
+  {
+    error =
+      "The samples are floating-point numbers, but labels are whole ones; cast the array with "
+      "vtkImageCast, or call SetSurfaceModeToThreshold().";
+    return false;
+  }
+  if (!(this->Known == samples) || !this->Known.Labels)
+  {
+    this->Release();
+    const auto labels = LabelSets::Make(samples);
+    this->Known = samples;
+    this->Known.Labels = labels;
+  }
+  if (!this->Smooth || this->Smooth->Radius() != radius)
+  {
+    this->Smooth = radius > 0.0 ? std::make_shared<const SmoothLabels>(samples, radius) : nullptr;
+  }
+  else if (this->Smooth->Memory() > MostMemory)
+  {
+    this->Smooth->Clear();
+  }
+  samples.Labels = this->Known.Labels;
+  samples.Shape = LabelKind(this->Smooth);
+  return true;
+}
+
+bool LabelsFromVolume::Find(const LabelSettings& settings, vtkVolumeProperty* property,
+  int component, Surfaces& surfaces, std::vector<int>& places, std::string& error) const
+{
+  constexpr std::int64_t largest = std::numeric_limits<int>::max();
+  constexpr std::size_t most = std::numeric_limits<std::int16_t>::max();
+  if (settings.Table)
+  {
+    settings.Table->Build();
+  }
+  for (const std::int64_t label : this->Known.Labels->Labels())
+  {
+    if (label == settings.Outside)
+    {
+      continue;
+    }
+    if (settings.Table && !CheckTable(settings.Table, label, error))
+    {
+      return false;
+    }
+    const auto value = static_cast<double>(label);
+    const double opacity = settings.Table ? settings.Table->GetOpacity(value)
+                                          : property->GetScalarOpacity(component)->GetValue(value);
+    if (!Allowed::Opacity.Holds(opacity))
+    {
+      SettingCheck check({ "the volume's property" }, error);
+      check(("Scalar opacity at label " + std::to_string(label)).c_str(), opacity, Allowed::Opacity,
+        "GetScalarOpacity()->AddPoint");
+      return false;
+    }
+    if (!(opacity > 0.0))
+    {
+      continue;
+    }
+    if (label > largest || label < -largest || places.size() == most)
+    {
+      error = places.size() == most ? "More than " + std::to_string(most) +
+          " labels have an opacity above 0; hide some, or join them."
+                                    : "Label " + std::to_string(label) +
+          " cannot be drawn; use labels from -2147483647 to 2147483647.";
+      return false;
+    }
+    surfaces.Isovalues.push_back(value);
+    surfaces.Opacities.push_back(std::min(opacity, 1.0));
+    places.push_back(static_cast<int>(label));
+  }
+  const auto isOpaque = [](double opacity) { return opacity == 1.0; };
+  if (std::all_of(surfaces.Opacities.begin(), surfaces.Opacities.end(), isOpaque))
+  {
+    surfaces.Opacities.clear();
+  }
+  return true;
+}
+
+}

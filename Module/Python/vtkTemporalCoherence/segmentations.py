@@ -56,15 +56,21 @@ class SegmentationVolume(PicturedVolume):
 
     def set_color(self, label: LabelOrName, color: Any) -> None:
         """Change the colour of a label: a name, "#rrggbb" or three numbers."""
-        number = self._label_of(label)
-        self._looks[number] = (*checked_color(color), self._looks[number][3])
+        self._keep_color(label, color)
         self._update()
 
     def set_opacity(self, label: LabelOrName, opacity: float) -> None:
         """Change the opacity of a label, from 0 to 1."""
+        self._keep_opacity(label, opacity)
+        self._update()
+
+    def _keep_color(self, label: LabelOrName, color: Any) -> None:
+        number = self._label_of(label)
+        self._looks[number] = (*checked_color(color), self._looks[number][3])
+
+    def _keep_opacity(self, label: LabelOrName, opacity: float) -> None:
         number = self._label_of(label)
         self._looks[number] = (*self._looks[number][:3], _checked_opacity(opacity))
-        self._update()
 
     def _label_of(self, label: LabelOrName) -> int:
         if isinstance(label, str):
@@ -158,19 +164,15 @@ def segmentation(
     found = [int(label) for label in numpy.unique(samples) if label != outside]
     volume._outside = int(outside)
     volume._names = {int(label): str(called) for label, called in (names or {}).items()}
-    volume._looks = {label: (*_color_of(place), 1.0) for place, label in enumerate(found)}
+    share = 1.0 if isinstance(opacity, Mapping) else _checked_opacity(opacity)
+    volume._looks = {label: (*_color_of(place), share) for place, label in enumerate(found)}
     volume._shown = set(found)
-    if not isinstance(opacity, Mapping):
-        share = _checked_opacity(opacity)
-        volume._looks = {label: (*look[:3], share) for label, look in volume._looks.items()}
     if shown is not None:
         volume._shown = {volume._label_of(label) for label in _several(shown)}
     for label, given in (color or {}).items():
-        number = volume._label_of(label)
-        volume._looks[number] = (*checked_color(given), volume._looks[number][3])
+        volume._keep_color(label, given)
     for label, given in (opacity.items() if isinstance(opacity, Mapping) else ()):
-        number = volume._label_of(label)
-        volume._looks[number] = (*volume._looks[number][:3], _checked_opacity(given))
+        volume._keep_opacity(label, given)
     volume._update()
     return volume
 

@@ -202,7 +202,7 @@ void TestColors()
   vtkNew<vtkImageData> ofTable;
   ofTable->DeepCopy(scene.Color);
 
-  // The same by the property's functions, and by annotated values.
+  // Annotated values, and the property's functions, give the picture of the table.
   vtkNew<vtkColorTransferFunction> colors;
   vtkNew<vtkPiecewiseFunction> opacity;
   const auto annotated = vtkSmartPointer<vtkLookupTable>::New();

@@ -242,7 +242,7 @@ TYPED_TEST(LabelTracerTest, MeetsWhatAWalkFromVoxelToVoxelMeets)
   std::vector<double> labels;
   for (int i = 1; i <= 40; ++i)
   {
-    // Those of wide types lie far apart.
+    // Labels of wide types lie far apart.
     labels.push_back(sizeof(T) == 1 ? i : sizeof(T) == 2 ? 750.0 * i : 5e7 * i + (i % 2));
   }
   Grid<T> grid(glm::ivec3(37, 30, 26));

@@ -28,8 +28,8 @@ constexpr double HalfWidth = 2.8;
 /// A share of a sample's own label is at least 1/2 plus this, of others at most 1/2 minus this.
 constexpr float Margin = 1.0f / 64.0f;
 
-/// The same where the sample's own label has less than half, as in thin parts: they stay about half
-/// as thick as voxels.
+/// The margin of samples whose own label has a share of less than 1/2, as in thin parts. It keeps
+/// these about half as thick as voxels.
 constexpr float MarginOfThin = 3.0f / 16.0f;
 
 /// A Gaussian at whole numbers, as whole numbers whose sum is Unit. So sums over a cube of samples
@@ -151,24 +151,24 @@ private:
   std::vector<std::uint64_t> Rows;
 };
 
-/// Sums of weights where bits are set.
-class WeightSums
+/// A Gaussian, and the sums of its weights where bits are set.
+class Gaussian
 {
 public:
-  explicit WeightSums(const std::vector<float>& weights)
-    : Count(static_cast<int>(weights.size()))
-    , Sums((weights.size() + 7) / 8 * 256)
+  explicit Gaussian(double deviation)
+    : Weights(GaussianOf(deviation))
+    , Sums((Weights.size() + 7) / 8 * 256)
   {
     for (std::size_t at = 0; at < this->Sums.size(); ++at)
     {
-      for (std::size_t bit = 0; bit < 8 && at / 256 * 8 + bit < weights.size(); ++bit)
+      for (std::size_t bit = 0; bit < 8 && at / 256 * 8 + bit < this->Weights.size(); ++bit)
       {
-        this->Sums[at] += at >> bit & 1u ? weights[at / 256 * 8 + bit] : 0.0f;
+        this->Sums[at] += at >> bit & 1u ? this->Weights[at / 256 * 8 + bit] : 0.0f;
       }
     }
   }
 
-  float Of(std::uint64_t bits) const
+  float SumOf(std::uint64_t bits) const
   {
     float sum = 0.0f;
     for (std::size_t at = 0; at < this->Sums.size(); at += 256, bits >>= 8)
@@ -178,29 +178,11 @@ public:
     return sum;
   }
 
-  int Count; ///< of weights
+  std::vector<float> Weights;
 
 private:
   std::vector<float> Sums; ///< of each eight weights, by their bits
 };
-
-}
-
-/// A Gaussian.
-struct SmoothLabels::Smoothing
-{
-  explicit Smoothing(double deviation)
-    : Weights(GaussianOf(deviation))
-    , Sums(Weights)
-  {
-  }
-
-  std::vector<float> Weights;
-  WeightSums Sums;
-};
-
-namespace
-{
 
 /// Weighted means over a cube of samples around each of count^3 samples in its middle.
 class SmoothCube
@@ -208,10 +190,10 @@ class SmoothCube
 public:
   static constexpr std::size_t Width = 8; ///< of rows in memory
 
-  SmoothCube(
-    const LabelCube& cube, const std::vector<float>& weights, const WeightSums& sums, int count)
+  SmoothCube(const LabelCube& cube, const Gaussian& gaussian, int count)
     : Count(count)
   {
+    const std::vector<float>& weights = gaussian.Weights;
     const auto taps = static_cast<int>(weights.size());
     const int span = count + taps - 1, skip = (cube.Size - span) / 2;
     const auto rows = static_cast<std::size_t>(span), lines = static_cast<std::size_t>(count);
@@ -226,7 +208,7 @@ public:
         const std::uint64_t bits = cube.Row(skip + j, skip + k) >> skip;
         for (int i = 0; i < count; ++i)
         {
-          to[i] = sums.Of(bits >> i & all);
+          to[i] = gaussian.SumOf(bits >> i & all);
         }
       }
     }
@@ -276,6 +258,11 @@ private:
 };
 
 }
+
+struct SmoothLabels::Smoothing : Gaussian
+{
+  using Gaussian::Gaussian;
+};
 
 SmoothLabels::SmoothLabels(const Field& field, double radius)
   : Samples(field)
@@ -362,8 +349,8 @@ bool SmoothLabels::Make(const glm::ivec3& firstSample, Entry& made, Entry& other
       return LabelCube(TypedField<decltype(type)>(this->Samples), made.Label, firstSample - beside,
         Edge + 2 * beside);
     });
-  const SmoothCube shares(cube, this->OfShares->Weights, this->OfShares->Sums, Edge);
-  const SmoothCube wide(cube, this->OfNormals->Weights, this->OfNormals->Sums, Edge + 2);
+  const SmoothCube shares(cube, *this->OfShares, Edge);
+  const SmoothCube wide(cube, *this->OfNormals, Edge + 2);
   other.Label = cube.Other;
   for (int k = 0; k < Edge; ++k)
   {

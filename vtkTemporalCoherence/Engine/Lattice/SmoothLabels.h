@@ -18,7 +18,7 @@ namespace TemporalCoherence
 /// Smooth surfaces between labels. The *share* of a label at a sample is the mean over the samples
 /// around it, weighted by a Gaussian, of 1 where they have the label and 0 elsewhere. Between
 /// samples it is interpolated. A point belongs to the label with the largest share, so labels that
-/// touch have one surface in common, and nothing gets between them.
+/// touch have one surface in common.
 ///
 /// A sample always keeps its own label, whose share there is more than 1/2. So no part of a label
 /// vanishes, and surfaces lie in the cells in which those of voxels lie. Normals are gradients of
@@ -36,7 +36,7 @@ public:
     using Samples = std::array<T, static_cast<std::size_t>(Edge* Edge* Edge)>;
 
     Samples<float> Share;
-    std::array<Samples<float>, 3> Gradient; ///< per step along each axis
+    std::array<Samples<float>, 3> Gradient; ///< differences over two steps along each axis
 
     void Set(std::size_t at, bool isOwn, float share, const glm::vec3& gradient);
   };

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/LabelGradients.h"
 
-#include "Scene/RayBatch.h"
+#include "Shade/Shader.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -129,9 +128,7 @@ void LabelGradients(
     });
   for (RayBatch::Array<double>& along : tile.Gradients)
   {
-    // Fill the last vector, so that no lane is uninitialised.
-    std::fill(along.begin() + static_cast<std::ptrdiff_t>(count),
-      along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), along[count - 1]);
+    FillLastVector(count, along);
   }
 }
 

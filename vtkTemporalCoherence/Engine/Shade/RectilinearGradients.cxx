@@ -4,6 +4,7 @@
 
 #include "Scene/Difference.h"
 #include "Shade/KernelsRectilinear.h"
+#include "Shade/Shader.h"
 
 #include <algorithm>
 #include <array>
@@ -209,9 +210,7 @@ public:
     }
     for (RayBatch::Array<double>& along : this->Tile.Gradients)
     {
-      // Fill the last vector, so that no lane is uninitialised.
-      std::fill(along.begin() + static_cast<std::ptrdiff_t>(count),
-        along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), along[count - 1]);
+      FillLastVector(count, along);
     }
   }
 

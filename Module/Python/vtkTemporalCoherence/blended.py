@@ -11,8 +11,9 @@ from vtkmodules.vtkCommonCore import vtkBitArray, vtkDataArray, vtkUnsignedCharA
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkRectilinearGrid
 
 from .given_data import arrays_of, chosen_array, data_object, finite_number
+from .mapper_support import mapper_of
 from .pictures import PicturedVolume
-from .vtkTemporalCoherence import vtkTemporalCoherencePresets, vtkTemporalCoherenceVolumeMapper
+from .vtkTemporalCoherence import vtkTemporalCoherencePresets
 
 #: Names of looks: those of Hounsfield units, and the one that suits data of any unit.
 PRESETS = tuple(vtkTemporalCoherencePresets.GetPresetName(index)
@@ -128,11 +129,7 @@ def _volume(
         raise ValueError(
             f"The array {name or 'without a name'!r} has {array.GetNumberOfComponents()} components: "
             f"give an array of one.")
-    mapper = vtkTemporalCoherenceVolumeMapper()
-    mapper.SetInputDataObject(data)
-    if name:
-        mapper.SetScalarModeToUsePointFieldData()
-        mapper.SelectScalarArray(name)
+    mapper = mapper_of(data, name, place)
     volume = BlendedVolume()
     volume.SetMapper(mapper)
     look = volume.GetProperty()

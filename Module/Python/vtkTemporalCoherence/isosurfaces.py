@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vt
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 from .given_data import arrays_of, attributes_of, chosen_array, data_object, finite_number
+from .mapper_support import mapper_of
 from .pictures import PicturedVolume
 from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
 
@@ -157,13 +158,7 @@ def isosurface(
     else:
         grid, name, place = _with_array(grid, scalars, places)
 
-    mapper = vtkTemporalCoherenceVolumeMapper()
-    mapper.SetInputDataObject(grid)
-    if name is None:
-        getattr(mapper, f"SetScalarModeToUse{place.capitalize()}Data")()
-    else:
-        getattr(mapper, f"SetScalarModeToUse{place.capitalize()}FieldData")()
-        mapper.SelectScalarArray(name)
+    mapper = mapper_of(grid, name, place)
     is_vector = _choose_component(mapper, grid, name, place, component)
     mapper.SetSmoothMeshNormals(smooth_shading)
     mapper.SetSurfaceMode(mapper.THRESHOLD if solid else mapper.CROSSING)

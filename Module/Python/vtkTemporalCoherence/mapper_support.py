@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From another volume mapper to vtkTemporalCoherenceVolumeMapper."""
+"""Mappers for data, and in place of other volume mappers."""
 
 from __future__ import annotations
 
 from typing import Iterable
 
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkVolume
 from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 
@@ -70,3 +71,18 @@ def _copy_scalar_choice(old: vtkVolumeMapper, new: vtkTemporalCoherenceVolumeMap
     if hasattr(old, "GetVectorMode"):
         new.SetVectorMode(old.GetVectorMode())
         new.SetVectorComponent(old.GetVectorComponent())
+
+
+def mapper_of(data: vtkDataObject, name: str | None, place: str) -> vtkTemporalCoherenceVolumeMapper:
+    """A mapper that draws an array of some data.
+
+    name, place  what chosen_array() gives
+    """
+    mapper = vtkTemporalCoherenceVolumeMapper()
+    mapper.SetInputDataObject(data)
+    if name is None:
+        getattr(mapper, f"SetScalarModeToUse{place.capitalize()}Data")()
+    else:
+        getattr(mapper, f"SetScalarModeToUse{place.capitalize()}FieldData")()
+        mapper.SelectScalarArray(name)
+    return mapper

@@ -13,8 +13,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from .given_data import arrays_of, chosen_array, data_object, finite_number
 from .isosurfaces import checked_color
+from .mapper_support import mapper_of
 from .pictures import PicturedVolume
-from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
 
 #: A label, or its name.
 LabelOrName = Union[int, str]
@@ -147,11 +147,7 @@ def segmentation(
         raise ValueError(
             f"Labels are whole numbers, one for each sample, not {samples.dtype} of the shape "
             f"{samples.shape}: convert the array, for example by astype('uint16').")
-    mapper = vtkTemporalCoherenceVolumeMapper()
-    mapper.SetInputDataObject(data)
-    if name:
-        mapper.SetScalarModeToUsePointFieldData()
-        mapper.SelectScalarArray(name)
+    mapper = mapper_of(data, name, place)
     mapper.SetSurfaceModeToLabels()
     mapper.SetOutsideLabel(int(outside))
     mapper.SetLabelRadius(radius)

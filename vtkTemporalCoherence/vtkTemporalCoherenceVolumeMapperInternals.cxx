@@ -13,6 +13,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <exception>
@@ -71,8 +72,8 @@ TemporalCoherence::FewerRays vtkTemporalCoherenceVolumeMapper::Internals::Choose
   fewer.MostDistance = static_cast<double>(this->Self->MaximumImageSampleDistance);
   if (allowed < TemporalCoherence::RayBudget::InteractiveTime)
   {
-    fewer.HasTime = [begin, choice]()
-    { return std::chrono::duration<double>(Clock::now() - begin).count() < choice.Until; };
+    fewer.Elapsed = [begin, until = std::max(choice.Until, 1e-9)]()
+    { return std::chrono::duration<double>(Clock::now() - begin).count() / until; };
   }
   return fewer;
 }

@@ -264,7 +264,7 @@ void VolumeView::Apply(Look& look)
   this->Mapper->SetBlendMode(BlendModes[static_cast<std::size_t>(drawing)]);
   // Rays of blended volumes take long: fewer of them while something is dragged.
   this->Mapper->SetAutoAdjustSampleDistances(!areSurfaces);
-  this->Mapper->SetMaximumImageSampleDistance(20.0f);
+  this->Mapper->SetMaximumImageSampleDistance(30.0f);
   if (!areSurfaces && look.IsProjection())
   {
     this->SetGreys(look.Greys);

@@ -214,12 +214,12 @@ bool Antialias(FrameTask& task, SurfaceLight* light, Frame& picture)
     return true;
   }
   // Light is found in whole frames only.
-  const std::function<bool()> hasTime = light ? nullptr : task.Options.Fewer.HasTime;
+  const auto hasTime = [&]() { return light || task.Options.Fewer.HasTime(); };
   std::vector<std::uint8_t> open = picture.OpenEdges;
   open.resize(
     static_cast<std::size_t>(NumberOfTiles(picture.Size)), picture.OpenEdges.empty() ? 1 : 0);
   // A frame that begins without time makes one group.
-  const bool isLate = hasTime && !hasTime();
+  const bool isLate = !hasTime();
   std::atomic<bool> isBegun{ false };
   const std::unique_ptr<RayColors> colors =
     task.Key.IsBlended() ? MakeBlendedColors(task) : MakeSurfaceColors(task, light);
@@ -237,7 +237,7 @@ bool Antialias(FrameTask& task, SurfaceLight* light, Frame& picture)
             return TraceCounts();
           }
           isMade = isMade ? isMade : isLate && !isBegun.exchange(true);
-          if (hasTime && !*isMade && !hasTime())
+          if (!*isMade && !hasTime())
           {
             return TraceCounts();
           }

@@ -15,7 +15,7 @@ namespace TemporalCoherence
 /// A pixel at an edge gets 4 rays. If these differ it gets 8, and 16 if they differ much. The rays
 /// have fixed places around the pixel's centre, so a picture depends on its key alone.
 ///
-/// Where time is short (FewerRays::HasTime), edges are made group by group. Those that are left are
+/// Where time is short (FewerRays::Elapsed), edges are made group by group. Those that are left are
 /// open until the next frame.
 ///
 /// \param light that reaches the surfaces that these rays meet; null: all of it does

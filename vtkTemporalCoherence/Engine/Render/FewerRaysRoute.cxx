@@ -23,11 +23,14 @@ namespace
 /// The share of a frame's progress that the grid of rays takes.
 constexpr double ShareOfGrid = 0.5;
 
-/// The share of the grid's rays that must be traced in time. If fewer are, a coarser grid takes
-/// their place.
+/// The share of the grid's rays that must be traced in time. If it shows that fewer will be, a
+/// coarser grid takes their place.
 constexpr double EnoughOfGrid = 0.6;
 
-/// The coarser grid is to take this share of the time of the first one.
+/// The part of the grid's time after which that may show.
+constexpr double FirstLook = 0.25;
+
+/// The coarser grid is to take this share of the time that the first one had.
 constexpr double ShareOfSecondGrid = 0.25;
 
 LeapedSpace BeginWhole(FrameTask& task)
@@ -78,7 +81,7 @@ bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& w
   }
   TileLister lister(task);
   std::size_t traced = 0;
-  const auto goOn = [&]() { return !areFewer || !fewer.HasTime || fewer.HasTime(); };
+  const auto goOn = [&]() { return !areFewer || fewer.HasTime(); };
   if (!lister.MakeFront(worst, report, goOn, work, traced))
   {
     return false;
@@ -122,13 +125,19 @@ std::vector<std::int64_t> SpreadTiles(const glm::ivec2& size)
   return tiles;
 }
 
-/// Trace rays of a grid until the time is up.
+/// What there was time for.
+struct GridPace
+{
+  double Traced = 1.0;  ///< share of the grid
+  double Elapsed = 0.0; ///< share of the time that the grid had
+};
+
+/// Trace the rays of a grid, or give it up.
 /// \param whole  space of the picture with all rays
-/// \param enough share of the grid; if it is traced by then, the rest is, too
-/// \param share  receives the share of the grid that is traced
+/// \param enough share of the grid; if less will be traced in time, it is given up
 /// \return false if the report stopped it
 bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, double enough,
-  FrameStore& grid, double& share)
+  FrameStore& grid, GridPace& pace)
 {
   FrameStatistics& sum = task.Statistics;
   FrameStatistics statistics;
@@ -144,12 +153,23 @@ bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, d
     PartOf(task.Report, 0.0, ShareOfGrid) };
   {
     const Stopwatch watch(sum.GridTime);
-    const std::function<bool()>& hasTime = task.Options.Fewer.HasTime;
+    const std::function<double()>& clock = task.Options.Fewer.Elapsed;
+    const double begin = clock ? clock() : 0.0;
+    // Of the time that was left when the grid began.
+    const auto elapsed = [&]()
+    {
+      const double now = clock ? clock() : 0.0;
+      return now < 1.0 ? (now - begin) / (1.0 - begin) : 1.0;
+    };
     // One by one: a grid has too few tiles for groups.
     const std::vector<std::int64_t> tiles = SpreadTiles(key.View.Size);
-    const auto least = static_cast<std::size_t>(enough * static_cast<double>(tiles.size()));
+    const double least = enough * static_cast<double>(tiles.size());
     std::atomic<std::size_t> begun{ 0 };
-    const auto goOn = [&]() { return begun++ >= least || !hasTime || hasTime(); };
+    const auto goOn = [&]()
+    {
+      const double now = elapsed();
+      return static_cast<double>(begun++) >= least * now || now < FirstLook;
+    };
     TileLister lister(ofGrid);
     std::size_t number = 0;
     const TileWork work = WorkOf(ofGrid, { whole.Active, &bounds });
@@ -157,11 +177,11 @@ bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, d
     {
       return false;
     }
-    share = static_cast<double>(number) / static_cast<double>(tiles.size());
+    pace = { static_cast<double>(number) / static_cast<double>(tiles.size()), elapsed() };
     lister.Finish();
   }
   const std::int64_t rays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
-  sum.GridRays += static_cast<std::int64_t>(share * static_cast<double>(rays));
+  sum.GridRays += static_cast<std::int64_t>(pace.Traced * static_cast<double>(rays));
   sum.TracedRays += statistics.TracedRays;
   sum.FieldSamples += statistics.FieldSamples;
   sum.Layers += statistics.Layers;
@@ -178,18 +198,18 @@ bool TraceGridInTime(FrameTask& task, const LeapedSpace& whole, FrameStore& grid
   const auto keyAt = [&](double distance)
   { return KeyOfGrid(task.Key, RaysFor(task.Key.View.Size, distance)); };
   const bool mayBeCoarser = fewer.Distance < fewer.MostDistance;
-  double share = 0.0;
-  if (!TraceGrid(
-        task, keyAt(fewer.Distance), whole, mayBeCoarser ? EnoughOfGrid : 0.0, grid, share))
+  GridPace pace;
+  if (!TraceGrid(task, keyAt(fewer.Distance), whole, mayBeCoarser ? EnoughOfGrid : 0.0, grid, pace))
   {
     return false;
   }
-  if (share == 1.0)
+  if (pace.Traced == 1.0)
   {
     return true;
   }
-  const double coarser = fewer.Distance / std::sqrt(ShareOfSecondGrid * share);
-  return TraceGrid(task, keyAt(std::min(coarser, fewer.MostDistance)), whole, 0.0, grid, share);
+  const double coarser =
+    fewer.Distance * std::sqrt(pace.Elapsed / (ShareOfSecondGrid * pace.Traced));
+  return TraceGrid(task, keyAt(std::min(coarser, fewer.MostDistance)), whole, 0.0, grid, pace);
 }
 
 /// Copy a tile from a picture of the same key as it is, answers and kept values included.

@@ -30,15 +30,16 @@ enum class Antialiasing : std::uint8_t
 struct FewerRays
 {
   double Distance = 1.0; ///< pixels between rays along each axis; 1: each pixel has a ray
-  /// If the time is up long before all rays of the grid are traced, they get farther apart, up to
-  /// this distance.
+  /// If it shows that the rays of the grid take too long, they get farther apart, up to this
+  /// distance.
   double MostDistance = 1.0;
   std::int64_t Tiles = std::numeric_limits<std::int64_t>::max(); ///< most tiles to trace whole
-  /// Called before a tile of the grid or of the picture is traced, by several threads. It returns
-  /// false when time is up. May be null.
-  std::function<bool()> HasTime;
+  /// The share of the frame's time that is over; 1 and more: time is up. Called before a tile of
+  /// the grid or of the picture is traced, by several threads. May be null: there is no hurry.
+  std::function<double()> Elapsed;
 
   bool AreAsked() const { return this->Distance > 1.0; }
+  bool HasTime() const { return !this->Elapsed || this->Elapsed() < 1.0; }
 };
 
 /// Options for making frames.

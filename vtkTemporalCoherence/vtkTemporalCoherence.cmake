@@ -47,6 +47,7 @@ set(engine_files
   ImageCache/PaperHint
   Shade/CapNormal
   Shade/FieldNormals
+  Shade/HitColors
   Shade/HitGathering
   Shade/KernelsCells
   Shade/KernelsGradients
@@ -54,6 +55,7 @@ set(engine_files
   Shade/KernelsShading
   Shade/KnownLayers
   Shade/LabelGradients
+  Shade/LatticeValues
   Shade/LayerShader
   Shade/Light/HardShadows
   Shade/Light/KeptShadows
@@ -113,6 +115,7 @@ set(engine_files
   Mesh/Tracing/MeshBandTracer
   Mesh/Tracing/MeshCellSearch
   Mesh/Tracing/MeshGradients
+  Mesh/Tracing/MeshValues
   Mesh/Tracing/MeshPlaces
   Mesh/Tracing/MeshSolids
   Mesh/Tracing/MeshTracer
@@ -186,6 +189,7 @@ set(bridge_files
   Input/ImageLattice
   Input/ImageOfGrid
   Input/ImageSource
+  Input/ImageValues
   Input/MergedBlocks
   Input/SampleMask
   Input/SamplesOfArray
@@ -216,6 +220,7 @@ set(bridge_files
   Grids/CellTypes
   Grids/GridCells
   Grids/GridLeaves
+  Grids/GridArray
   Grids/GridMesh
   Grids/GridPoints
   Grids/GridShape
@@ -238,6 +243,7 @@ set(bridge_files
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
+  Request/ArrayColorsFromVolume
   Request/BlendingFromVolume
   Request/DrawnVolume
   Request/EmptyInput

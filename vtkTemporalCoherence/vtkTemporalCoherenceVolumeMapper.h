@@ -31,12 +31,13 @@
 #define vtkTemporalCoherenceVolumeMapper_h
 
 #include "vtkCommand.h"                 // For vtkCommand::UserEvent
-#include "vtkSmartPointer.h"            // For the table of labels
+#include "vtkSmartPointer.h"            // For tables of colours
 #include "vtkTemporalCoherenceModule.h" // For export macro
 #include "vtkTemporalCoherencePaperMapper.h"
 #include "vtkTemporalCoherenceStatistics.h" // For the deprecated getters
 
 #include <memory> // For std::unique_ptr
+#include <string> // For the name of an array
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
@@ -97,6 +98,31 @@ public:
   vtkGetMacro(LabelRadius, double);
   vtkSetMacro(OutsideLabel, int);
   vtkGetMacro(OutsideLabel, int);
+  //@}
+
+  //@{
+  /**
+   * Set/Get which array gives surfaces their colours, of isosurfaces and labels alike. Opacities
+   * still belong to isovalues and labels. A new array, table or range traces no rays.
+   *
+   * - ColorArrayName: an array of numbers on the points of the input or, with ColorArrayOnCells
+   *   (default: off), on its cells. Null or "" (default): none, colours are those of isovalues. An
+   *   array that the input lacks is an error. Between points, its values are interpolated as the
+   *   drawn ones; a cell has one value. (Adaptive grids interpolate values of cells.)
+   * - ColorArrayComponent: of arrays with several components. Default: 0; -1: the length of the
+   *   interpolated vector. A component that the array lacks is an error.
+   * - ColorTable: a vtkLookupTable or another vtkScalarsToColors; its alpha has no effect. Null
+   *   (default): the colour function of the volume's property.
+   */
+  vtkSetStdStringFromCharMacro(ColorArrayName);
+  vtkGetCharFromStdStringMacro(ColorArrayName);
+  vtkSetMacro(ColorArrayOnCells, vtkTypeBool);
+  vtkGetMacro(ColorArrayOnCells, vtkTypeBool);
+  vtkBooleanMacro(ColorArrayOnCells, vtkTypeBool);
+  vtkSetClampMacro(ColorArrayComponent, int, -1, VTK_INT_MAX);
+  vtkGetMacro(ColorArrayComponent, int);
+  virtual void SetColorTable(vtkScalarsToColors* table);
+  vtkScalarsToColors* GetColorTable();
   //@}
 
   /** Values of VectorMode. */
@@ -567,6 +593,10 @@ private:
   vtkSmartPointer<vtkScalarsToColors> LabelTable;
   int OutsideLabel = 0;
   double LabelRadius = 0.0;
+  std::string ColorArrayName;
+  vtkTypeBool ColorArrayOnCells = 0;
+  int ColorArrayComponent = 0;
+  vtkSmartPointer<vtkScalarsToColors> ColorTable;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
   vtkTypeBool SmoothMeshNormals = 0;

@@ -76,6 +76,22 @@ void vtkTemporalCoherenceVolumeMapper::SetLabelRadius(double samples)
 }
 
 //------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetColorTable(vtkScalarsToColors* table)
+{
+  if (this->ColorTable != table)
+  {
+    this->ColorTable = table;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkScalarsToColors* vtkTemporalCoherenceVolumeMapper::GetColorTable()
+{
+  return this->ColorTable;
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetVectorMode(int mode)
 {
   TemporalCoherence::SetChoice(this, "VectorMode", mode,
@@ -162,6 +178,10 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LabelTable: " << this->LabelTable.GetPointer() << endl;
   os << indent << "OutsideLabel: " << this->OutsideLabel << endl;
   os << indent << "LabelRadius: " << this->LabelRadius << endl;
+  os << indent << "ColorArrayName: " << this->ColorArrayName << endl;
+  os << indent << "ColorArrayOnCells: " << (this->ColorArrayOnCells ? "On" : "Off") << endl;
+  os << indent << "ColorArrayComponent: " << this->ColorArrayComponent << endl;
+  os << indent << "ColorTable: " << this->ColorTable.GetPointer() << endl;
   os << indent << "VectorMode: " << this->VectorMode << endl;
   os << indent << "VectorComponent: " << this->VectorComponent << endl;
   os << indent << "SmoothMeshNormals: " << this->SmoothMeshNormals << endl;

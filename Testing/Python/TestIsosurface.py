@@ -209,6 +209,69 @@ class Looks(unittest.TestCase):
         self.assertEqual(isosurface(self.image, VALUE).GetMapper().GetAmbientOcclusion(), 0)
 
 
+class ColorsByArray(unittest.TestCase):
+    """The height above the middle of a ball gives its colours."""
+
+    def colors(self, grid, *arguments, **look):
+        surface = isosurface(
+            grid, VALUE, "scalars", color_by="height", lighting=False, clim=(-1.0, 1.0), **look)
+        return surface, render(surface, renderer_at(4.0), (100, 100)).color[..., :3].astype(int)
+
+    def setUp(self):
+        self.image = image_of(distances())
+        axis = numpy.linspace(-1.0, 1.0, distances().shape[0])
+        self.height = numpy.broadcast_to(axis[None, :, None], distances().shape).copy()
+        array = numpy_to_vtk(self.height.ravel(), deep=1)
+        array.SetName("height")
+        self.image.GetPointData().AddArray(array)
+
+    def test_table(self):
+        red = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)]
+        surface, colors = self.colors(self.image, cmap=red)
+        self.assertEqual(surface.color_table.GetRange(), (-1.0, 1.0))
+        rows = [row for row in range(100) if colors[row, 50].any()]
+        self.assertTrue(rows and min(rows) > 40, "the upper half alone is red")
+        table = vtkLookupTable()
+        table.SetTableRange(-1.0, 1.0)
+        table.SetNumberOfTableValues(2)
+        table.SetTableValue(0, 0.0, 0.0, 1.0, 1.0)
+        table.SetTableValue(1, 1.0, 1.0, 0.0, 1.0)
+        surface, colors = self.colors(self.image, cmap=table)
+        self.assertIs(surface.color_table, table)
+        self.assertEqual(colors[52, 50].tolist(), [255, 255, 0])
+        self.assertEqual(colors[47, 50].tolist(), [0, 0, 255])
+
+    def test_default_and_vectors(self):
+        _, colors = self.colors(self.image)
+        self.assertGreater(colors[65, 50, 0], colors[65, 50, 2])  # red above
+        self.assertLess(colors[35, 50, 0], colors[35, 50, 2])  # blue below
+        vectors = numpy.stack([self.height.ravel(), numpy.zeros(self.height.size)], axis=1)
+        surface = isosurface(self.image, VALUE, "scalars", color_by=vectors)
+        self.assertEqual(surface.GetMapper().GetColorArrayComponent(), -1)
+        self.assertEqual(surface.color_table.GetRange()[0], 0.0)
+
+    def test_arrays(self):
+        by_name = picture(self.image, VALUE, "scalars", color_by="height").color
+        for height in self.height, self.height.ravel():
+            by_array = picture(distances(), VALUE, spacing=self.image.GetSpacing(),
+                               origin=self.image.GetOrigin(), color_by=height).color
+            numpy.testing.assert_array_equal(by_array, by_name)
+        cells = vtkPointDataToCellData()
+        cells.SetInputData(self.image)
+        cells.PassPointDataOn()
+        cells.Update()
+        surface = isosurface(cells.GetOutput(), VALUE, "scalars", color_by="height")
+        self.assertFalse(surface.GetMapper().GetColorArrayOnCells())
+
+    def test_mistakes(self):
+        for sentence, look in (
+                ("no array 'depth'", {"color_by": "depth"}),
+                ("color or color_by", {"color_by": "height", "color": "r"}),
+                ("does not fit the grid", {"color_by": [1.0, 2.0]})):
+            with self.subTest(sentence), self.assertRaisesRegex(ValueError, sentence):
+                isosurface(self.image, VALUE, "scalars", **look)
+
+
 class Mistakes(unittest.TestCase):
     def test_sentences(self):
         image = image_of(distances())
@@ -218,7 +281,7 @@ class Mistakes(unittest.TestCase):
                 (TypeError, "of polygons is no volume", (vtkPolyData(), 1), {}),
                 (ValueError, "no array of numbers", (vtkImageData(), 1), {}),
                 (ValueError, "no array 'x' at the points or cells: choose of scalars", (image, 1, "x"), {}),
-                (ValueError, "do not fit the grid", (image, 1, [1.0, 2.0]), {}),
+                (ValueError, "does not fit the grid", (image, 1, [1.0, 2.0]), {}),
                 (TypeError, "give the name of one", (blocks(image), 1, [1.0]), {}),
                 (TypeError, "a number or several", (image, "skin"), {}),
                 (ValueError, "finite numbers", (image, []), {}),

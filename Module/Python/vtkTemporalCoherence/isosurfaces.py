@@ -28,6 +28,10 @@ _LETTERS = {
     "b": "blue", "c": "cyan", "g": "green", "k": "black", "m": "magenta", "r": "red", "w": "white",
     "y": "yellow"}
 
+#: Colours of arrays by share of their range, if nothing else is asked for.
+_DIVERGING = (
+    (0.0, (0.231, 0.298, 0.753)), (0.5, (0.865, 0.865, 0.865)), (1.0, (0.706, 0.016, 0.149)))
+
 #: Places of a colour map that become nodes of a transfer function.
 _NODES = 256
 
@@ -68,6 +72,12 @@ class IsosurfaceVolume(PicturedVolume):
             opacity.AddPoint(value, share)
         self.GetProperty().SetScalarOpacity(opacity)
 
+    @property
+    def color_table(self) -> vtkScalarsToColors:
+        """The colours: of the array that `color_by` named, or else of the isovalues."""
+        table = self.GetMapper().GetColorTable()
+        return table if table is not None else self.GetProperty().GetRGBTransferFunction()
+
     def _set_colors(self, values: Sequence[float]) -> None:
         colors = vtkColorTransferFunction()
         if self._colors is not None:
@@ -91,6 +101,7 @@ def isosurface(
     color: Any = None,
     cmap: Any = None,
     clim: Sequence[float] | None = None,
+    color_by: Any = None,
     opacity: float | Sequence[float] = 1.0,
     lighting: bool = True,
     ambient: float = 0.0,
@@ -110,6 +121,7 @@ def isosurface(
         isosurface(array, 150).save("picture.png")   # the last line of a notebook's cell shows it
         plotter.add_actor(isosurface(grid, 150))
         plotter.add_actor(isosurface(grid, [100, 200], "pressure", cmap="viridis", opacity=[0.3, 1]))
+        plotter.add_actor(isosurface(grid, 150, "pressure", color_by="temperature"))
         renderer.AddVolume(isosurface(image, 150))
 
     grid            an ImageData, RectilinearGrid, StructuredGrid, ExplicitStructuredGrid,
@@ -126,6 +138,10 @@ def isosurface(
                     or a lookup table of PyVista or VTK
     clim            values at the ends of the colour map. None: the range of the array. A lookup
                     table has its own
+    color_by        another array that gives the surfaces their colours: its name, or an array with a
+                    number or vector (its length counts) for each point or cell; of an image also
+                    one that is indexed [z, y, x]. cmap and clim are its own then; without cmap, colours go from blue over white to red. color_table
+                    is for a vtkScalarBarActor
     opacity         from 0 to 1; several for several values
     lighting        False: colours without light
     ambient, diffuse, specular, specular_power
@@ -156,7 +172,16 @@ def isosurface(
     if scalars is None or isinstance(scalars, str):
         name, place = chosen_array(grid, scalars, places)
     else:
-        grid, name, place = _with_array(grid, scalars, places)
+        grid, name, place = _with_array(grid, scalars, places, "isosurface scalars")
+    color_name, color_place = None, place
+    if color_by is not None:
+        if color is not None:
+            raise ValueError(
+                "Surfaces have one colour or colours by an array: give color or color_by, not both.")
+        if isinstance(color_by, str):
+            color_name, color_place = chosen_array(grid, color_by, places)
+        else:
+            grid, color_name, color_place = _with_array(grid, color_by, places, "isosurface colours")
 
     mapper = mapper_of(grid, name, place)
     is_vector = _choose_component(mapper, grid, name, place, component)
@@ -175,6 +200,9 @@ def isosurface(
     appearance.SetSpecularPower(_checked_part("specular_power", specular_power))
 
     volume._opacities = _checked_opacities(opacity)
+    if color_name is not None:
+        _set_color_array(mapper, grid, color_name, color_place, cmap, clim)
+        cmap = None
     if cmap is None:
         volume._colors = _checked_colors(_DEFAULT_COLOR if color is None else color)
     else:
@@ -183,6 +211,32 @@ def isosurface(
         volume._color_of = _color_map(cmap, volume._clim)
     volume.values = values
     return volume
+
+
+def _set_color_array(
+    mapper: vtkTemporalCoherenceVolumeMapper, grid: vtkDataObject, name: str, place: str, cmap: Any,
+    clim: Sequence[float] | None,
+) -> None:
+    components = max(array.GetNumberOfComponents() for array in arrays_of(grid, name, place))
+    component = -1 if components > 1 else 0
+    mapper.SetColorArrayName(name)
+    mapper.SetColorArrayOnCells(place == "cell")
+    mapper.SetColorArrayComponent(component)
+    if isinstance(cmap, vtkScalarsToColors):
+        mapper.SetColorTable(cmap)
+        return
+    low, high = _checked_clim(clim, grid, name, place, component)
+    table = vtkColorTransferFunction()
+    if cmap is None:
+        table.SetColorSpaceToDiverging()
+        for share, color in _DIVERGING:
+            table.AddRGBPoint(low + share * (high - low), *color)
+    else:
+        color_of = _color_map(cmap, (low, high))
+        for i in range(_NODES):
+            value = low + (high - low) * i / (_NODES - 1)
+            table.AddRGBPoint(value, *color_of(value))
+    mapper.SetColorTable(table)
 
 
 def _set_occlusion(
@@ -203,25 +257,26 @@ def _set_occlusion(
 
 
 def _with_array(
-    grid: vtkDataObject, scalars: Any, places: Sequence[str]
+    grid: vtkDataObject, scalars: Any, places: Sequence[str], name: str
 ) -> tuple[vtkDataObject, str, str]:
-    """A shallow copy of a grid that has an array besides."""
+    """A shallow copy of a grid that has an array of that name besides."""
     import numpy
     from .numpy_support import data_array
 
     scalars = numpy.asarray(scalars)
     if isinstance(grid, vtkCompositeDataSet):
         raise TypeError(
-            "Blocks have arrays of their own: give the name of one as scalars, not an array.")
+            "Blocks have arrays of their own: give the name of one, not an array.")
+    if hasattr(grid, "GetDimensions") and scalars.shape == tuple(grid.GetDimensions())[::-1]:
+        scalars = scalars.reshape(-1)
     counts = {"point": grid.GetNumberOfPoints(), "cell": grid.GetNumberOfCells()}
     place = next((place for place in places if scalars.shape[:1] == (counts[place],)), None)
     if place is None or scalars.ndim > 2:
         raise ValueError(
-            f"Scalars of the shape {scalars.shape} do not fit the grid: give a flat array with a number "
+            f"An array of the shape {scalars.shape} does not fit the grid: give a flat one with a number "
             f"for each of its {counts['point']} points or {counts['cell']} cells.")
     copy = grid.NewInstance()
     copy.ShallowCopy(grid)
-    name = "isosurface scalars"
     attributes_of(copy, place).AddArray(data_array(scalars, scalars.shape[1:], name))
     return copy, name, place
 

@@ -6,9 +6,9 @@
 
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
-#include "CurvedGrids.h"
 #include "Scenes/Scene.h"
 #include "Volumes/AmrGrids.h"
+#include "Volumes/CurvedGrids.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkPointData.h>

@@ -6,9 +6,9 @@
 // cells get one sentence.
 
 #include "Checks/Expect.h"
-#include "CurvedGrids.h"
 #include "LinearCells.h"
 #include "Shapes/SubdividedCells.h"
+#include "Volumes/CurvedGrids.h"
 #include "Volumes/VtkMeshes.h"
 
 #include <vtkCellArray.h>

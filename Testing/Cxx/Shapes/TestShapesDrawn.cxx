@@ -4,11 +4,11 @@
 // The mapper draws adaptive grids and curved cells, keeps what it made, and notices changes.
 
 #include "Checks/Expect.h"
-#include "CurvedGrids.h"
 #include "Scenes/Mistake.h"
 #include "Scenes/Scene.h"
 #include "Truth/SameSurface.h"
 #include "Volumes/AmrGrids.h"
+#include "Volumes/CurvedGrids.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -6,12 +6,12 @@
 // own interpolation.
 
 #include "Checks/Expect.h"
-#include "CurvedGrids.h"
 #include "LinearCells.h"
 #include "Shapes/BoundaryParts.h"
 #include "Shapes/CurvedCellReader.h"
 #include "Shapes/CurvedCells.h"
 #include "Shapes/SubdividedCells.h"
+#include "Volumes/CurvedGrids.h"
 
 #include <vtkCellData.h>
 #include <vtkCellTypeSource.h>

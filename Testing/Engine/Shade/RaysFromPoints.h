@@ -3,7 +3,7 @@
 #ifndef Testing_RaysFromPoints_h
 #define Testing_RaysFromPoints_h
 
-#include "Shade/HitRays.h"
+#include "Scene/HitRays.h"
 
 namespace TemporalCoherence
 {

@@ -55,12 +55,12 @@ TEST_F(KernelsShortcuts, DistancesOfHits)
   }
 }
 
-/// One light on one colour, in one pass.
+/// One light, in one pass.
 TEST_F(KernelsShortcuts, ColorsOfASimpleLight)
 {
   std::mt19937 engine(8);
   SimpleLight light;
-  light.Color = { 0.9f, 0.5f, 0.2f };
+  light.Ambient = 0.1f;
   light.Toward = { 0.6f, 0.0f, 0.8f };
   light.Diffuse = { 0.7f, 0.8f, 0.9f };
   HitRays rays;
@@ -69,9 +69,11 @@ TEST_F(KernelsShortcuts, ColorsOfASimpleLight)
   sums.Diffuse = light.Diffuse;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    light.Ambient[a] = 0.1f * light.Color[a];
-    sums.Color[a].fill(light.Color[a]);
-    sums.Sum[a].fill(light.Ambient[a]);
+    for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
+    {
+      sums.Color[a][i] = 0.9f - 0.2f * static_cast<float>(a) - 0.005f * static_cast<float>(i);
+      sums.Sum[a][i] = light.Ambient * sums.Color[a][i];
+    }
   }
   for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
   {
@@ -95,7 +97,7 @@ TEST_F(KernelsShortcuts, ColorsOfASimpleLight)
           [&](const char* target)
           {
             Array<std::array<std::uint8_t, 4>> colors;
-            FindColors(rays, sums.Normal, light, colors);
+            FindColors(rays, sums.Normal, sums.Color, light, colors);
             PhongSums lit = sums;
             AddLight(rays, lit);
             Array<std::array<std::uint8_t, 4>> expected;

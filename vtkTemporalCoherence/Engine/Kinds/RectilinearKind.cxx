@@ -163,6 +163,8 @@ public:
     return LatticeFaceNormal(RectilinearPlanes{ *this->Grid }, field, cap, nearest);
   }
 
+  const std::shared_ptr<const GridCoordinates>& Coordinates() const { return this->Grid; }
+
 private:
   std::shared_ptr<const GridCoordinates> Grid;
 };
@@ -172,6 +174,12 @@ private:
 std::shared_ptr<const FieldKind> RectilinearKind(std::shared_ptr<const GridCoordinates> coordinates)
 {
   return std::make_shared<RectilinearFieldKind>(std::move(coordinates));
+}
+
+std::shared_ptr<const GridCoordinates> CoordinatesOf(const FieldShape& shape)
+{
+  const auto* const kind = dynamic_cast<const RectilinearFieldKind*>(&shape);
+  return kind ? kind->Coordinates() : nullptr;
 }
 
 }

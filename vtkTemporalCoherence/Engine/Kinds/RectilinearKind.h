@@ -17,6 +17,9 @@ namespace TemporalCoherence
 std::shared_ptr<const FieldKind> RectilinearKind(
   std::shared_ptr<const GridCoordinates> coordinates);
 
+/// Where the samples of a shape lie; null if it is no rectilinear grid.
+std::shared_ptr<const GridCoordinates> CoordinatesOf(const FieldShape& shape);
+
 }
 
 #endif

@@ -34,8 +34,8 @@ struct FewerRays
   /// distance.
   double MostDistance = 1.0;
   std::int64_t Tiles = std::numeric_limits<std::int64_t>::max(); ///< most tiles to trace whole
-  /// The share of the frame's time that is over; 1 and more: time is up. Called before a tile of
-  /// the grid or of the picture is traced, by several threads. May be null: there is no hurry.
+  /// Elapsed time / allowed time of the frame. Several threads call it before they trace a tile of
+  /// the grid or of the picture. May be null: there is no hurry.
   std::function<double()> Elapsed;
 
   bool AreAsked() const { return this->Distance > 1.0; }

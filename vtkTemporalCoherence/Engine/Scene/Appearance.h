@@ -3,9 +3,12 @@
 #ifndef TemporalCoherence_Appearance_h
 #define TemporalCoherence_Appearance_h
 
+#include "Scene/ArrayColors.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace TemporalCoherence
@@ -54,6 +57,8 @@ inline bool operator==(const AmbientOcclusion& a, const AmbientOcclusion& b)
 struct Appearance
 {
   std::vector<glm::dvec3> Colors; ///< RGB in [0, 1], one for each isovalue
+  /// Colours at the values of an array, instead; null: none.
+  std::shared_ptr<const ArrayColors> ByArray;
   bool Shade = false;
   double Ambient = 0.1;
   double Diffuse = 0.7;
@@ -94,10 +99,10 @@ inline bool operator==(const Light& a, const Light& b)
 
 inline bool operator==(const Appearance& a, const Appearance& b)
 {
-  return a.Colors == b.Colors && a.Shade == b.Shade && a.Ambient == b.Ambient &&
-    a.Diffuse == b.Diffuse && a.Specular == b.Specular && a.SpecularPower == b.SpecularPower &&
-    a.Lights == b.Lights && a.TwoSided == b.TwoSided && a.ColorScale == b.ColorScale &&
-    a.ColorShift == b.ColorShift && a.Occlusion == b.Occlusion &&
+  return a.Colors == b.Colors && AreSame(a.ByArray, b.ByArray) && a.Shade == b.Shade &&
+    a.Ambient == b.Ambient && a.Diffuse == b.Diffuse && a.Specular == b.Specular &&
+    a.SpecularPower == b.SpecularPower && a.Lights == b.Lights && a.TwoSided == b.TwoSided &&
+    a.ColorScale == b.ColorScale && a.ColorShift == b.ColorShift && a.Occlusion == b.Occlusion &&
     a.ColorByAnswer == b.ColorByAnswer;
 }
 

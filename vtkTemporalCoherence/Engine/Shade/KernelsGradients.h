@@ -4,7 +4,7 @@
 #define TemporalCoherence_KernelsGradients_h
 
 #include "Scene/Field.h"
-#include "Shade/HitRays.h"
+#include "Scene/HitRays.h"
 
 #include <array>
 #include <cstdint>

@@ -10,7 +10,7 @@
 #define TemporalCoherence_KernelsHitPoints_inl_h
 #endif
 
-#include "Shade/HitRays.h"
+#include "Scene/HitRays.h"
 
 #include <glm/glm.hpp>
 

@@ -316,7 +316,8 @@ void CompositeRoundOf(const LayerRound& round, CompositedPixels& pixels)
 }
 
 void SimpleColorsOf(const HitRays& rays, const Array<std::array<float, 3>>& normals,
-  const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors)
+  const std::array<Array<float>, 3>& own, const SimpleLight& light,
+  Array<std::array<std::uint8_t, 4>>& colors)
 {
   const Floats d;
   const hn::Rebind<std::uint8_t, Floats> db;
@@ -336,10 +337,10 @@ void SimpleColorsOf(const HitRays& rays, const Array<std::array<float, 3>>& norm
     const Reflection reflection = Reflect(n, toward, ray, isShiny, raise);
     const auto bytes = [&](std::size_t a) HWY_ATTR
     {
-      const V diffuse = hn::Mul(
-        hn::Mul(hn::Set(d, light.Diffuse[a]), reflection.Cosine), hn::Set(d, light.Color[a]));
+      const V color = hn::LoadU(d, &own[a][i]);
+      const V diffuse = hn::Mul(hn::Mul(hn::Set(d, light.Diffuse[a]), reflection.Cosine), color);
       const V sum = hn::Add(diffuse, hn::Mul(hn::Set(d, light.Specular[a]), reflection.Shine));
-      return BytesOf(hn::Add(hn::Set(d, light.Ambient[a]), sum));
+      return BytesOf(hn::Add(hn::Mul(hn::Set(d, light.Ambient), color), sum));
     };
     hn::StoreInterleaved4(
       bytes(0), bytes(1), bytes(2), hn::Set(db, std::uint8_t(255)), db, colors[i].data());
@@ -407,9 +408,10 @@ void AddLight(const HitRays& rays, PhongSums& sums)
 }
 
 void FindColors(const HitRays& rays, const Array<std::array<float, 3>>& normals,
-  const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors)
+  const std::array<Array<float>, 3>& own, const SimpleLight& light,
+  Array<std::array<std::uint8_t, 4>>& colors)
 {
-  HWY_DYNAMIC_DISPATCH(SimpleColorsOf)(rays, normals, light, colors);
+  HWY_DYNAMIC_DISPATCH(SimpleColorsOf)(rays, normals, own, light, colors);
 }
 
 void CompositeRound(const LayerRound& round, CompositedPixels& pixels)

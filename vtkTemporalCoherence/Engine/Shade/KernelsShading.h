@@ -4,8 +4,8 @@
 #define TemporalCoherence_KernelsShading_h
 
 #include "Scene/Frame.h"
+#include "Scene/HitRays.h"
 #include "Scene/View.h"
-#include "Shade/HitRays.h"
 
 #include <array>
 #include <cstdint>
@@ -54,19 +54,21 @@ struct PhongSums
 };
 void AddLight(const HitRays& rays, PhongSums& sums);
 
-/// One light that is not positional, on surfaces of one colour.
+/// One light that is not positional.
 struct SimpleLight
 {
-  std::array<float, 3> Color, Ambient; ///< of the surface; and its ambient part
-  std::array<float, 3> Toward;         ///< unit vector to the light
+  float Ambient;               ///< share of its colour that a surface has without the light
+  std::array<float, 3> Toward; ///< unit vector to the light
   std::array<float, 3> Diffuse, Specular;
   double Power;
 };
 
 /// Find the colours of hits in one pass: the same bits as AddLight and RoundColors give. Normals
-/// are read up to the end of the last vector.
+/// and colours are read up to the end of the last vector.
+/// \param own colours of the surfaces
 void FindColors(const HitRays& rays, const Array<std::array<float, 3>>& normals,
-  const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors);
+  const std::array<Array<float>, 3>& own, const SimpleLight& light,
+  Array<std::array<std::uint8_t, 4>>& colors);
 
 /// The pixels of a tile while surfaces are composited.
 struct CompositedPixels

@@ -4,6 +4,7 @@
 
 #include "Lattice/RegionClipper.h"
 #include "Shade/CapNormal.h"
+#include "Shade/HitColors.h"
 #include "Shade/SurfaceNormal.h"
 
 #include <algorithm>
@@ -155,23 +156,9 @@ void BeginSums(const Appearance& appearance, const HitList& hits, const Array<fl
     TurnOutside(hits, sums);
   }
   FillLastVector(sums.Count, sums.Normal);
+  FindHitColors(appearance, hits, sums.Color);
   for (std::size_t a = 0; a < 3; ++a)
   {
-    const auto axis = static_cast<int>(a);
-    if (appearance.Colors.size() == 1)
-    {
-      std::fill_n(sums.Color[a].begin(), WholeVectors(sums.Count),
-        static_cast<float>(appearance.Colors[0][axis]));
-    }
-    else
-    {
-      for (std::size_t i = 0; i < sums.Count; ++i)
-      {
-        const glm::dvec3& color = appearance.Colors[static_cast<std::size_t>(hits.Surface[i])];
-        sums.Color[a][i] = static_cast<float>(color[axis]);
-      }
-      FillLastVector(sums.Count, sums.Color[a]);
-    }
     for (std::size_t i = 0; arriving && i < WholeVectors(sums.Count); ++i)
     {
       sums.Color[a][i] *= (*arriving)[i];
@@ -183,25 +170,23 @@ void BeginSums(const Appearance& appearance, const HitList& hits, const Array<fl
   }
 }
 
-/// True if one light from afar shines on one colour, as a headlight does.
+/// True if one light from afar shines, as a headlight does.
 bool IsLitSimply(const Appearance& appearance)
 {
-  return appearance.Shade && appearance.TwoSided && appearance.Colors.size() == 1 &&
-    appearance.Lights.size() == 1 && !appearance.Lights[0].Positional &&
-    appearance.ColorScale == 1.0 && appearance.ColorShift == 0.0;
+  return appearance.Shade && appearance.TwoSided && appearance.Lights.size() == 1 &&
+    !appearance.Lights[0].Positional && appearance.ColorScale == 1.0 &&
+    appearance.ColorShift == 0.0;
 }
 
-/// The light and the surface, with the numbers of BeginSums and AddLight.
+/// The light, with the numbers of BeginSums and AddLight.
 ShadingKernels::SimpleLight LightOf(const Appearance& appearance)
 {
   const Light& light = appearance.Lights[0];
-  const auto ambient = static_cast<float>(appearance.Ambient);
   ShadingKernels::SimpleLight simple;
+  simple.Ambient = static_cast<float>(appearance.Ambient);
   for (std::size_t c = 0; c < 3; ++c)
   {
     const auto component = static_cast<int>(c);
-    simple.Color[c] = static_cast<float>(appearance.Colors[0][component]);
-    simple.Ambient[c] = ambient * simple.Color[c];
     simple.Toward[c] = static_cast<float>(-light.Direction[component]);
     simple.Diffuse[c] = static_cast<float>(appearance.Diffuse * light.Diffuse[component]);
     simple.Specular[c] =
@@ -324,7 +309,9 @@ void ShadeHits(
   Array<std::array<std::uint8_t, 4>> colors;
   if (!arriving && IsLitSimply(appearance))
   {
-    ShadingKernels::FindColors(hits.Rays, hits.Normal, LightOf(appearance), colors);
+    std::array<Array<float>, 3> own;
+    FindHitColors(appearance, hits, own);
+    ShadingKernels::FindColors(hits.Rays, hits.Normal, own, LightOf(appearance), colors);
   }
   else
   {

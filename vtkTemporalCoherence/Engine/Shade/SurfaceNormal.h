@@ -4,8 +4,8 @@
 #define TemporalCoherence_SurfaceNormal_h
 
 #include "Scene/Field.h"
+#include "Scene/HitRays.h"
 #include "Scene/Surfaces.h"
-#include "Shade/HitRays.h"
 
 #include <array>
 #include <cstdint>

@@ -66,6 +66,16 @@ std::int64_t CountCells(const std::vector<GridLeaf>& leaves, AdaptiveGrid* amr)
   return cells;
 }
 
+/// Make the transform from the lattice of a tree to the world.
+bool PlaceTree(
+  const MeshTree& tree, vtkVolume* volume, IndexTransform& transform, std::string& error)
+{
+  glm::dmat4& place = transform.WorldFromIndex;
+  place = glm::dmat4(tree.Scale());
+  place[3] = glm::dvec4(tree.Low(), 1.0);
+  return PlaceVolume(volume, transform, error);
+}
+
 /// Keep all arrays that a mesh reads alive, even if a data set gets others.
 void Keep(const std::vector<GridLeaf>& leaves, PlacedField& field)
 {
@@ -129,10 +139,25 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
   field.Cells = this->Grids.Origins();
   field.Axes = { tree.Low(), glm::dvec3(tree.Scale()) };
   field.PerStep = glm::dvec3(tree.Edges().Mean / tree.Scale());
-  glm::dmat4& place = field.Transform.WorldFromIndex;
-  place = glm::dmat4(tree.Scale());
-  place[3] = glm::dvec4(tree.Low(), 1.0);
-  return PlaceVolume(query.Volume, field.Transform, error);
+  return PlaceTree(tree, query.Volume, field.Transform, error);
+}
+
+bool MeshSource::MakeValues(const ArrayChoice& choice, vtkVolume* volume,
+  std::shared_ptr<const ArrayValues>& values, std::string& error)
+{
+  const std::shared_ptr<const Mesh>& mesh = this->Grids.Made();
+  MeshValuesSource source;
+  if (!(this->Amr ? this->Values.See(mesh, this->Amr, choice, error)
+                  : this->Values.See(mesh, *this->Grids.Origins(), choice, error)) ||
+    !PlaceTree(*this->Tree, volume, source.Transform, error))
+  {
+    return false;
+  }
+  source.Tree = this->Tree;
+  source.Parts = this->Values.Parts();
+  source.Stamp = this->Values.Stamp();
+  values = MakeMeshValues(source);
+  return true;
 }
 
 /// Make the mesh and its tree, or bring them up to date.

@@ -4,6 +4,7 @@
 #define TemporalCoherence_MeshSource_h
 
 #include "Adaptive/AmrGrids.h"
+#include "Grids/GridArray.h"
 #include "Grids/GridMesh.h"
 #include "Input/FieldSource.h"
 #include "Input/SamplesOfArray.h"
@@ -29,6 +30,8 @@ public:
     const VectorChoice& vectors, DrawnComponent& found, std::string& error) override;
   bool IsEmpty() const override { return this->Leaves.empty() && !this->Amr; }
   bool Make(const FieldQuery& query, PlacedField& field, std::string& error) override;
+  bool MakeValues(const ArrayChoice& choice, vtkVolume* volume,
+    std::shared_ptr<const ArrayValues>& values, std::string& error) override;
   void Release() override { *this = MeshSource(); }
 
 private:
@@ -42,6 +45,7 @@ private:
   ScalarChoice Choice;
   DrawnComponent Component;
   GridMesh Grids;
+  GridArray Values; ///< of another array
   std::shared_ptr<const MeshTree> Tree;
   std::shared_ptr<const FieldShape> Shape; ///< of the tree
   bool HasAveragedGradients = false;       ///< of Shape

@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -48,6 +49,12 @@ public:
 
   /// \param cell counted through all parts of the mesh; other numbers have no origin
   CellOrigin Of(std::int64_t cell) const;
+
+  /// The data set of a part of the mesh; no cell of it.
+  CellOrigin OfPart(std::size_t part) const
+  {
+    return { this->Parts[part].Data, this->Parts[part].Block, -1 };
+  }
 
   /// The largest ids of points and cells of the data sets; -1 if there are none.
   vtkIdType LargestPoint() const;

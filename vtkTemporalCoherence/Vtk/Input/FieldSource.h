@@ -8,6 +8,7 @@
 #include "Input/FieldFromImage.h"
 #include "Input/SampleMask.h"
 #include "Input/ScalarChoice.h"
+#include "Scene/ArrayColors.h"
 #include "Scene/Field.h"
 #include "Scene/Progress.h"
 #include "vtkTemporalCoherenceCompatibility.h"
@@ -102,6 +103,14 @@ public:
   /// \return false on error, or if it was stopped
   /// \throws std::bad_alloc
   virtual bool Make(const FieldQuery& query, PlacedField& field, std::string& error) = 0;
+
+  /// Make the values of another array of the found data.
+  /// \param values receives them
+  /// \pre Make has returned true for the volume
+  /// \return false on error
+  /// \throws std::bad_alloc
+  virtual bool MakeValues(const ArrayChoice& choice, vtkVolume* volume,
+    std::shared_ptr<const ArrayValues>& values, std::string& error) = 0;
 
   /// Drop all computed arrays.
   virtual void Release() = 0;

@@ -19,6 +19,7 @@ namespace TemporalCoherence
 bool ImageSource::Find(vtkDataObject* data, const ScalarChoice& choice, vtkVolumeProperty* property,
   const VectorChoice& vectors, DrawnComponent& found, std::string& error)
 {
+  this->Data = data;
   this->Found = FoundImage();
   this->Arrays.DropUnused();
   if (!this->FindImage(data, choice, error))
@@ -175,6 +176,7 @@ void ImageSource::Release()
   this->Magnitude.Release();
   this->Grid.Release();
   this->Hidden.Release();
+  this->Values.Release();
 }
 
 }

@@ -6,6 +6,7 @@
 #include "Input/FieldSource.h"
 #include "Input/HiddenCellsFromImage.h"
 #include "Input/ImageOfGrid.h"
+#include "Input/ImageValues.h"
 #include "Input/MergedBlocks.h"
 #include "Input/SamplesOfArray.h"
 #include "Input/VectorMagnitude.h"
@@ -31,6 +32,11 @@ public:
     const VectorChoice& vectors, DrawnComponent& found, std::string& error) override;
   bool IsEmpty() const override { return !this->Found.Array; }
   bool Make(const FieldQuery& query, PlacedField& field, std::string& error) override;
+  bool MakeValues(const ArrayChoice& choice, vtkVolume* volume,
+    std::shared_ptr<const ArrayValues>& values, std::string& error) override
+  {
+    return this->Values.Make(this->Data, choice, volume, values, error);
+  }
   void Release() override;
 
 private:
@@ -49,12 +55,14 @@ private:
     std::shared_ptr<const FieldShape> Shape = UniformShape(); ///< the places of samples
   };
 
+  vtkDataObject* Data = nullptr; ///< in which the image was found; not owned
   FoundImage Found;
   ArraysInPlace Arrays;
   MergedBlocks Blocks;
   VectorMagnitude Magnitude;
   ImageOfGrid Grid;
   HiddenCellsOfImage Hidden;
+  ImageValues Values; ///< of another array
 
   /// The range of a component's finite samples.
   struct KnownRange

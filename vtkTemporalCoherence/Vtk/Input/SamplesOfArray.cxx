@@ -163,17 +163,36 @@ void ArraysInPlace::DropUnused()
   }
 }
 
-bool HasComponent(vtkDataArray* array, int component, std::string& error)
+namespace
+{
+
+/// \param setting its name
+bool HasComponent(
+  vtkDataArray* array, int component, const char* setting, const char* other, std::string& error)
 {
   const int components = array->GetNumberOfComponents();
   if (component >= 0 && component < components)
   {
     return true;
   }
-  error = "VectorComponent is " + std::to_string(component) + ", but array " + NameOf(array) +
-    " has " + std::to_string(components) + " component(s); set one from 0 to " +
-    std::to_string(components - 1) + ".";
+  error = std::string(setting) + " is " + std::to_string(component) + ", but array " +
+    NameOf(array) + " has " + std::to_string(components) + " component(s); set one from 0 to " +
+    std::to_string(components - 1) + other + ".";
   return false;
+}
+
+}
+
+bool HasComponent(vtkDataArray* array, int component, std::string& error)
+{
+  return HasComponent(array, component, "VectorComponent", "", error);
+}
+
+bool HasComponent(vtkDataArray* array, const ArrayChoice& choice, std::string& error)
+{
+  return choice.Component < 0 ||
+    HasComponent(
+      array, choice.Component, "ColorArrayComponent", ", or -1 for the length of vectors", error);
 }
 
 std::int64_t CountSamples(vtkImageData* image, bool onCells)

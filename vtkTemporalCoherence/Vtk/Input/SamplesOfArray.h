@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_SamplesOfArray_h
 #define TemporalCoherence_SamplesOfArray_h
 
+#include "Input/ScalarChoice.h"
 #include "Scene/Field.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -72,6 +73,9 @@ private:
 /// \param error receives the mistake and its remedy
 /// \return false if the array lacks a component that the user chose
 bool HasComponent(vtkDataArray* array, int component, std::string& error);
+
+/// The same of the component that gives colours; lengths need none.
+bool HasComponent(vtkDataArray* array, const ArrayChoice& choice, std::string& error);
 
 /// The number of cells or points of an image. If it overflows, which VTK does not notice, the
 /// largest number, so that no array has enough tuples.

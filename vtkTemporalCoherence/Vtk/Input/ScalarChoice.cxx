@@ -10,6 +10,8 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 
 namespace TemporalCoherence
 {
@@ -40,6 +42,33 @@ ScalarChoice ChoiceOf(vtkVolumeMapper* mapper)
   choice.Number = mapper->GetArrayId();
   choice.Name = mapper->GetArrayName() ? mapper->GetArrayName() : "";
   return choice;
+}
+
+ScalarChoice ArrayChoice::Scalars() const
+{
+  ScalarChoice choice;
+  choice.Mode =
+    this->OnCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
+  choice.IsByName = true;
+  choice.Name = this->Name;
+  return choice;
+}
+
+std::vector<int> ArrayChoice::ComponentsOf(vtkDataArray* array) const
+{
+  std::vector<int> components(
+    this->Component < 0 ? static_cast<std::size_t>(array->GetNumberOfComponents()) : 1);
+  std::iota(components.begin(), components.end(), std::max(this->Component, 0));
+  return components;
+}
+
+std::string WhyThereIsNoArray(const ArrayChoice& choice)
+{
+  return "The input has no array of numbers named '" + choice.Name + "' on its " +
+    (choice.OnCells ? "cells; choose an existing one with SetColorArrayName, or call "
+                      "ColorArrayOnCellsOff()."
+                    : "points; choose an existing one with SetColorArrayName, or call "
+                      "ColorArrayOnCellsOn().");
 }
 
 ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice)

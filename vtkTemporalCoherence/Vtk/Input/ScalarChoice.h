@@ -29,6 +29,25 @@ struct ScalarChoice
 
 ScalarChoice ChoiceOf(vtkVolumeMapper* mapper);
 
+/// An array that gives surfaces their colours.
+struct ArrayChoice
+{
+  bool IsAsked() const { return !this->Name.empty(); }
+
+  /// Its array, as a choice of scalars.
+  ScalarChoice Scalars() const;
+
+  /// Components to read: one, or, for the length of vectors, each.
+  std::vector<int> ComponentsOf(vtkDataArray* array) const;
+
+  std::string Name;     ///< empty: none
+  bool OnCells = false; ///< one tuple for each cell, otherwise for each point
+  int Component = 0;    ///< below 0: the length of vectors
+};
+
+/// The error message if some data lack a chosen array.
+std::string WhyThereIsNoArray(const ArrayChoice& choice);
+
 /// The array of a data set for a choice.
 struct ChosenScalars
 {

@@ -45,10 +45,11 @@ glm::dvec3 ColorAt(const SurfaceLooks& looks, double value)
 }
 
 /// The position in a transfer function, for messages.
-std::string At(double isovalue)
+/// \param what the number is
+std::string At(const char* what, double number)
 {
   std::ostringstream where;
-  where << "at isovalue " << isovalue;
+  where << "at " << what << " " << number;
   return where.str();
 }
 
@@ -57,24 +58,36 @@ bool FindColors(const SurfaceLooks& looks, const std::vector<double>& isovalues,
 {
   for (const double isovalue : isovalues)
   {
-    const glm::dvec3 color = ColorAt(looks, isovalue);
-    for (int channel = 0; channel < 3; ++channel)
+    glm::dvec3 color;
+    if (!FindColor(looks, "isovalue", isovalue, color, error))
     {
-      if (!Allowed::Color.Holds(color[channel]))
-      {
-        SettingCheck check({ "the volume's property" }, error);
-        check(("Colour " + At(isovalue)).c_str(), color[channel], Allowed::Color,
-          looks.Property->GetColorChannels(looks.Component) == 3
-            ? "GetRGBTransferFunction()->AddRGBPoint"
-            : "GetGrayTransferFunction()->AddPoint");
-        return false;
-      }
+      return false;
     }
     colors.push_back(color);
   }
   return true;
 }
 
+}
+
+bool FindColor(
+  const SurfaceLooks& looks, const char* what, double value, glm::dvec3& color, std::string& error)
+{
+  color = ColorAt(looks, value);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    if (!Allowed::Color.Holds(color[channel]))
+    {
+      SettingCheck check({ looks.Table ? "the table of colours" : "the volume's property" }, error);
+      check(("Colour " + At(what, value)).c_str(), color[channel], Allowed::Color,
+        looks.Table ? "SetTableValue or AddRGBPoint"
+          : looks.Property->GetColorChannels(looks.Component) == 3
+          ? "GetRGBTransferFunction()->AddRGBPoint"
+          : "GetGrayTransferFunction()->AddPoint");
+      return false;
+    }
+  }
+  return true;
 }
 
 vtkContourValues* ChooseIsovalues(vtkVolumeProperty* property, vtkContourValues* other)
@@ -117,7 +130,7 @@ bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int compo
     if (!Allowed::Opacity.Holds(opacity))
     {
       SettingCheck check({ "the volume's property" }, error);
-      check(("Scalar opacity " + At(isovalue)).c_str(), opacity, Allowed::Opacity,
+      check(("Scalar opacity " + At("isovalue", isovalue)).c_str(), opacity, Allowed::Opacity,
         "GetScalarOpacity()->AddPoint");
       return false;
     }

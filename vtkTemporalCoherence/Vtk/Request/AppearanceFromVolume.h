@@ -44,6 +44,13 @@ struct SurfaceLooks
   vtkScalarsToColors* Table = nullptr; ///< has the colours; null: the property has them
 };
 
+/// Find the colour at a value.
+/// \param what  the value is, for the error
+/// \param error receives the mistake and its remedy
+/// \return false if it is no colour
+bool FindColor(
+  const SurfaceLooks& looks, const char* what, double value, glm::dvec3& color, std::string& error);
+
 /// Make the appearance: colours at the isovalues, shading of a component of the property, and
 /// lights of the renderer. Numbers without effect are not checked, for example coefficients if
 /// shading is off.

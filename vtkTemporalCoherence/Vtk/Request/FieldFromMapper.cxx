@@ -111,6 +111,21 @@ bool FieldFromMapper::Make(const FieldQuery& query, PlacedField& field, std::str
   }
 }
 
+bool FieldFromMapper::MakeValues(const ArrayChoice& choice, vtkVolume* volume,
+  std::shared_ptr<const ArrayValues>& values, std::string& error)
+{
+  try
+  {
+    return this->Source->MakeValues(choice, volume, values, error);
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory to colour by array '" + choice.Name +
+      "'; free memory, or call SetColorArrayName(nullptr).";
+    return false;
+  }
+}
+
 void FieldFromMapper::Release()
 {
   this->Source = nullptr;

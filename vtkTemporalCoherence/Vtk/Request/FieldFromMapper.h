@@ -44,6 +44,11 @@ public:
   /// \return false on error, or if it was stopped
   bool Make(const FieldQuery& query, PlacedField& field, std::string& error);
 
+  /// Make the values of another array of the found data.
+  /// \pre Make has returned true
+  bool MakeValues(const ArrayChoice& choice, vtkVolume* volume,
+    std::shared_ptr<const ArrayValues>& values, std::string& error);
+
   /// Drop all computed arrays.
   void Release();
 

@@ -141,7 +141,10 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   const bool isMade = this->Fields.IsEmpty() ||
     (this->MakeScene(query, drawn.OfProperty, request, error) &&
       (!areLabels ||
-        this->MakeLabels(settings, volume, sight.Renderer, drawn.OfProperty, request, error)));
+        this->MakeLabels(settings, volume, sight.Renderer, drawn.OfProperty, request, error)) &&
+      (isBlended || !sight.Renderer || !settings.Colors.Array.IsAsked() ||
+        this->ArrayColoring.Make(
+          this->Fields, settings.Colors, drawn.OfProperty, volume, key.Appearance.ByArray, error)));
   this->IsMakingField = false;
   SetMutualLight(settings, key);
   if (isMade && isBlended)

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_RequestFromMapper_h
 #define TemporalCoherence_RequestFromMapper_h
 
+#include "Request/ArrayColorsFromVolume.h"
 #include "Request/BlendingFromVolume.h"
 #include "Request/FieldFromMapper.h"
 #include "Request/LabelsFromVolume.h"
@@ -33,6 +34,7 @@ struct PictureSettings
   VectorChoice Vectors;
   SurfaceMode Mode = SurfaceMode::Crossing;
   LabelSettings Labels;
+  ArrayColorSettings Colors;
   bool ColorByAnswer = false;
   double ColorWindow = 1.0, ColorLevel = 0.5; ///< maps colours level +- window / 2 to [0, 1]
   vtkContourValues* DepthPass = nullptr;      ///< isovalues if the property has none; or null
@@ -104,6 +106,7 @@ private:
   FieldFromMapper Fields;
   BlendingFromVolume Blendings;
   LabelsFromVolume Labels;
+  ArrayColorsFromVolume ArrayColoring;
   DrawnComponent Drawn;       ///< from the last search
   bool IsMakingField = false; ///< meanwhile observers may ask anything
 };

@@ -4,7 +4,7 @@
 #define TemporalCoherence_KernelsHitPlaces_h
 
 #include "Mesh/Cells/KernelsCellGradients.h"
-#include "Shade/HitRays.h"
+#include "Scene/HitRays.h"
 
 #include <glm/glm.hpp>
 

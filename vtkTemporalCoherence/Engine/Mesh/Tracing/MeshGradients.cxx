@@ -4,9 +4,8 @@
 
 #include "Mesh/Cells/CellPoints.h"
 #include "Mesh/Cells/KernelsCellGradients.h"
-#include "Mesh/Tracing/KernelsDistinct.h"
+#include "Mesh/Tracing/HitCells.h"
 #include "Mesh/Tracing/KernelsHitPlaces.h"
-#include "Mesh/Tracing/MeshPlaces.h"
 
 #include <algorithm>
 #include <array>
@@ -17,84 +16,32 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The cells of the hits of a tile, each once.
-struct HitCells
+bool AreTetrahedra(const HitCells& cells)
 {
-  static constexpr std::size_t Most = RayBatch::Capacity;
-  static constexpr std::uint8_t None = MeshKernels::PointsInCells::NoCell;
-
-  std::size_t Count = 0;
-  std::array<CellNumber, Most> Numbers;
-  std::array<MeshCell, Most> Cells;
-  RayBatch::Array<std::uint8_t> OfHit; ///< the place of its cell, or None
-
-  /// \param placeOf tells where a hit lies in the mesh, if its cell is not known
-  template <typename PlaceOf>
-  HitCells(const MeshTree& tree, const GradientTile& tile, const PlaceOf& placeOf)
-  {
-    RayBatch::Array<CellNumber> numbers;
-    numbers.fill(NoCell);
-    std::uint64_t inCells = 0;
-    for (std::size_t i = 0; i < tile.Rays.Count; ++i)
-    {
-      numbers[i] = tile.Cells ? (*tile.Cells)[i] : FindCellAt(tree, placeOf(i));
-      inCells |= static_cast<std::uint64_t>(numbers[i] != NoCell) << i;
-    }
-    DistinctCells distinct;
-    FindDistinct(numbers, inCells, distinct);
-    this->Count = distinct.Count;
-    this->OfHit.fill(None);
-    for (std::size_t cell = 0; cell < this->Count; ++cell)
-    {
-      this->Numbers[cell] = distinct.Numbers[cell];
-      ForEachRay(distinct.Rays[cell],
-        [&](std::size_t hit) { this->OfHit[hit] = static_cast<std::uint8_t>(cell); });
-    }
-    tree.Reader().ReadAll(this->Numbers, this->Count, this->Cells);
-  }
-
-  bool AreTetrahedra() const
-  {
-    return std::all_of(this->Cells.begin(),
-      this->Cells.begin() + static_cast<std::ptrdiff_t>(this->Count),
-      [](const MeshCell& cell) { return cell.Shape == MeshCellShape::Tetrahedron; });
-  }
-};
+  return std::all_of(cells.Cells.begin(),
+    cells.Cells.begin() + static_cast<std::ptrdiff_t>(cells.Count),
+    [](const MeshCell& cell) { return cell.Shape == MeshCellShape::Tetrahedron; });
+}
 
 /// Replace gradients by interpolated gradients of the cells' points.
 void TakeAveraged(const MeshTree& tree, const PointGradients& averaged, const HitCells& cells,
   MeshKernels::PointsInCells& points)
 {
-  std::size_t last = HitCells::Most, part = 0;
-  MeshCellPoints ids;
-  for (std::size_t i = 0; i < points.Count; ++i)
-  {
-    const std::size_t cell = points.Cell[i];
-    if (cell == HitCells::None)
+  cells.ForEachHit(tree, points,
+    [&](std::size_t hit, std::size_t part, std::int64_t, const MeshCellPoints& ids,
+      const std::array<double, 8>& weights)
     {
-      continue;
-    }
-    if (cell != last)
-    {
-      std::int64_t inPart;
-      tree.Reader().Locate(cells.Numbers[cell], part, inPart);
-      ids = MeshReader::FindPoints(tree.Reader().PartAt(part), inPart);
-      last = cell;
-    }
-    const MeshCell& read = cells.Cells[cell];
-    const std::array<double, 8> weights =
-      MeshKernels::WeightsAt(read, { points.At[0][i], points.At[1][i], points.At[2][i] });
-    glm::dvec3 gradient(0.0);
-    for (std::size_t p = 0; p < static_cast<std::size_t>(read.NumberOfPoints()); ++p)
-    {
-      gradient +=
-        weights[p] * glm::dvec3(averaged.Parts[part][static_cast<std::size_t>(ids.Ids[p])]);
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      points.Gradient[a][i] = gradient[static_cast<int>(a)];
-    }
-  }
+      glm::dvec3 gradient(0.0);
+      for (std::size_t p = 0; p < static_cast<std::size_t>(NumberOfPointsIn(ids.Shape)); ++p)
+      {
+        gradient +=
+          weights[p] * glm::dvec3(averaged.Parts[part][static_cast<std::size_t>(ids.Ids[p])]);
+      }
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        points.Gradient[a][hit] = gradient[static_cast<int>(a)];
+      }
+    });
 }
 
 /// Repeat the last gradient up to the end of the last vector.
@@ -216,8 +163,8 @@ void FindMeshGradients(const MeshTree& tree, const PointGradients* averaged,
     const glm::dvec3 index(query.IndexFromWorld * glm::dvec4(tile.Rays.PointAt(hit), 1.0));
     return tree.ToMesh(index);
   };
-  const HitCells cells(tree, tile, placeOf);
-  if (!averaged && cells.AreTetrahedra())
+  const HitCells cells(tree, tile.Rays.Count, tile.Cells, placeOf);
+  if (!averaged && AreTetrahedra(cells))
   {
     FindConstant(tree, cells, tile);
   }

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/ImageValues.h"
+
+#include "Input/FieldFromImage.h"
+#include "Kinds/RectilinearKind.h"
+#include "Shade/LatticeValues.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObjectTree.h>
+#include <vtkImageData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+namespace TemporalCoherence
+{
+
+bool ImageValues::Make(vtkDataObject* data, const ArrayChoice& choice, vtkVolume* volume,
+  std::shared_ptr<const ArrayValues>& values, std::string& error)
+{
+  this->Arrays.DropUnused();
+  auto* dataSet = vtkDataSet::SafeDownCast(data);
+  if (auto* const tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    if (!this->Blocks.Merge(tree, choice.Scalars(), error))
+    {
+      return false;
+    }
+    dataSet = this->Blocks.Image();
+  }
+  vtkDataArray* array = FindScalars(dataSet, choice.Scalars()).Array;
+  if (!array)
+  {
+    error = WhyThereIsNoArray(choice);
+    return false;
+  }
+  array = this->Arrays.Of(array, dataSet->GetMTime());
+  if (!HasComponent(array, choice, error))
+  {
+    return false;
+  }
+  auto* const grid = vtkRectilinearGrid::SafeDownCast(dataSet);
+  if (grid && !this->Grid.See(grid, false, error))
+  {
+    return false;
+  }
+  vtkImageData* const image = grid ? this->Grid.Image() : vtkImageData::SafeDownCast(dataSet);
+  LatticeArray made;
+  if (!MakeIndexTransform(image, false, volume, made.Transform, error))
+  {
+    return false;
+  }
+  const Interpolation between =
+    volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
+    ? Interpolation::Nearest
+    : Interpolation::Linear;
+  for (const int component : choice.ComponentsOf(array))
+  {
+    made.Components.emplace_back();
+    if (!MakeField(image, array, choice.OnCells, component, made.Components.back(), error))
+    {
+      return false;
+    }
+    made.Components.back().Between = between;
+  }
+  made.IsOfCells = choice.OnCells;
+  made.Grid = grid ? CoordinatesOf(*this->Grid.Shape()) : nullptr;
+  values = MakeLatticeValues(made);
+  return true;
+}
+
+}

@@ -37,7 +37,7 @@ struct ArrayChoice
   /// Its array, as a choice of scalars.
   ScalarChoice Scalars() const;
 
-  /// Components to read: one, or, for the length of vectors, each.
+  /// Components to read: lengths of vectors need all.
   std::vector<int> ComponentsOf(vtkDataArray* array) const;
 
   std::string Name;     ///< empty: none

@@ -77,6 +77,10 @@ bool ColdWitness::Draw(Scene& scene)
   this->Mapper->SetShadows(scene.Mapper->GetShadows());
   this->Mapper->SetVectorMode(scene.Mapper->GetVectorMode());
   this->Mapper->SetVectorComponent(scene.Mapper->GetVectorComponent());
+  this->Mapper->SetColorArrayName(scene.Mapper->GetColorArrayName());
+  this->Mapper->SetColorArrayOnCells(scene.Mapper->GetColorArrayOnCells());
+  this->Mapper->SetColorArrayComponent(scene.Mapper->GetColorArrayComponent());
+  this->Mapper->SetColorTable(scene.Mapper->GetColorTable());
   this->Mapper->SetCropping(scene.Mapper->GetCropping());
   this->Mapper->SetCroppingRegionPlanes(scene.Mapper->GetCroppingRegionPlanes());
   this->Mapper->SetCroppingRegionFlags(scene.Mapper->GetCroppingRegionFlags());

@@ -10,6 +10,7 @@
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
 #include <vtkPointData.h>
 #include <vtkShortArray.h>
 
@@ -205,6 +206,21 @@ void ManyInputs::SetMask()
   this->Of.Mapper->SetMaskInput(mask);
 }
 
+/// Of surfaces, by an array or not.
+void ManyInputs::ChooseColors()
+{
+  const char* const names[] = { nullptr, "waves", "vectors", "of cells" };
+  const int array = this->Views.Pick(4);
+  Mapper* const mapper = this->Of.Mapper;
+  mapper->SetColorArrayName(names[array]);
+  mapper->SetColorArrayOnCells(array == 3);
+  mapper->SetColorArrayComponent(array == 2 ? this->Views.Pick(4) - 1 : 0);
+  vtkNew<vtkLookupTable> table;
+  table->SetTableRange(this->Views.Between(-600.0, 0.0), this->Views.Between(1.0, 600.0));
+  table->Build();
+  mapper->SetColorTable(table);
+}
+
 std::vector<Change> ManyInputs::Changes()
 {
   RandomViews& views = this->Views;
@@ -229,6 +245,7 @@ std::vector<Change> ManyInputs::Changes()
         this->Of.Volume->GetProperty()->SetComponentWeight(views.Pick(3), views.Between(0.0, 1.0));
       } },
     { true, [this, &views] { this->Image->SetOrigin(views.Between(-1.2, -0.8), -1.0, -1.0); } },
+    { true, [this] { this->ChooseColors(); } },
     { true, [this] { this->SetMask(); } },
     { true, [this] { this->Of.Mapper->SetMaskInput(nullptr); } },
   };

@@ -54,6 +54,7 @@ private:
   void CutBlocks();
   void ChangeSamples();
   void ChangeBlock();
+  void ChooseColors();
   void SetMask();
 
   Scene& Of;

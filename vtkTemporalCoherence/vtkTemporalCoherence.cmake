@@ -220,6 +220,7 @@ set(bridge_files
   Grids/CellTypes
   Grids/GridCells
   Grids/GridLeaves
+  Grids/EvaluatedCells
   Grids/GridArray
   Grids/GridMesh
   Grids/GridPoints
@@ -257,6 +258,7 @@ set(bridge_files
   Request/RequestFromMapper
   Request/SampledTransfer
   Request/TransferNodes
+  Request/ValueDivision
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame

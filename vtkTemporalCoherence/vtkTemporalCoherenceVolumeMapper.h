@@ -106,9 +106,10 @@ public:
    * still belong to isovalues and labels. A new array, table or range traces no rays.
    *
    * - ColorArrayName: an array of numbers on the points of the input or, with ColorArrayOnCells
-   *   (default: off), on its cells. Null or "" (default): none, colours are those of isovalues. An
-   *   array that the input lacks is an error. Between points, its values are interpolated as the
-   *   drawn ones; a cell has one value. (Adaptive grids interpolate values of cells.)
+   *   (default: off), on its cells. Null or "" (default): none, colours are those of isovalues. A
+   *   missing array is an error, also in one block. Between points, its values are interpolated as
+   *   the drawn ones; a cell has one value. Adaptive grids with several levels interpolate values
+   *   of cells.
    * - ColorArrayComponent: of arrays with several components. Default: 0; -1: the length of the
    *   interpolated vector. A component that the array lacks is an error.
    * - ColorTable: a vtkLookupTable or another vtkScalarsToColors; its alpha has no effect. Null

@@ -10,7 +10,8 @@ from typing import Any, Callable, Iterable, Sequence
 
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonCore import vtkScalarsToColors
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPiecewiseFunction
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet, vtkDataObject, vtkImageData, vtkPiecewiseFunction, vtkRectilinearGrid)
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 from .given_data import arrays_of, attributes_of, chosen_array, data_object, finite_number
@@ -139,9 +140,9 @@ def isosurface(
     clim            values at the ends of the colour map. None: the range of the array. A lookup
                     table has its own
     color_by        another array that gives the surfaces their colours: its name, or an array with a
-                    number or vector (its length counts) for each point or cell; of an image also
-                    one that is indexed [z, y, x]. cmap and clim are its own then; without cmap, colours go from blue over white to red. color_table
-                    is for a vtkScalarBarActor
+                    number for each point or cell (of an image also indexed [z, y, x]), or with a
+                    vector, whose length counts. cmap and clim are its own then; without cmap,
+                    colours go from blue over white to red. color_table is for a vtkScalarBarActor
     opacity         from 0 to 1; several for several values
     lighting        False: colours without light
     ambient, diffuse, specular, specular_power
@@ -267,7 +268,8 @@ def _with_array(
     if isinstance(grid, vtkCompositeDataSet):
         raise TypeError(
             "Blocks have arrays of their own: give the name of one, not an array.")
-    if hasattr(grid, "GetDimensions") and scalars.shape == tuple(grid.GetDimensions())[::-1]:
+    if isinstance(grid, (vtkImageData, vtkRectilinearGrid)) and (
+            scalars.shape == tuple(grid.GetDimensions())[::-1]):
         scalars = scalars.reshape(-1)
     counts = {"point": grid.GetNumberOfPoints(), "cell": grid.GetNumberOfCells()}
     place = next((place for place in places if scalars.shape[:1] == (counts[place],)), None)

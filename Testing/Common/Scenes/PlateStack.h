@@ -296,7 +296,7 @@ private:
 
   bool IsEdge(double x, double y) const
   {
-    const auto isBeside = [=](const Plate& plate) { return plate.IsBeside(x, y, this->Edge); };
+    const auto isBeside = [&](const Plate& plate) { return plate.IsBeside(x, y, this->Edge); };
     return std::any_of(this->Polygons.begin(), this->Polygons.end(), isBeside) ||
       std::any_of(this->Piles.begin(), this->Piles.end(),
         [&](const auto& pile) { return isBeside(pile->Plates.front()); });

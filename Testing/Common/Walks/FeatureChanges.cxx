@@ -218,6 +218,7 @@ void SwitchOff(Scene& scene)
   mapper->SetSurfaceMode(made->GetSurfaceMode());
   mapper->SetShadows(made->GetShadows());
   mapper->SetVectorMode(made->GetVectorMode());
+  mapper->SetColorArrayName(made->GetColorArrayName());
   mapper->SetMaskInput(nullptr);
   mapper->SetAntialiasingToOff();
   mapper->SetReuseFrames(made->GetReuseFrames());

@@ -342,6 +342,40 @@ void TestTables()
   scene.Mapper->SetColorTable(discrete);
   ExpectProbed(scene, image, "function in steps");
 
+  // Logarithms over several decades; ranges that end at 0 or are negative.
+  auto logarithmic = vtkSmartPointer<vtkColorTransferFunction>::New();
+  logarithmic->SetScaleToLog10();
+  logarithmic->AddRGBPoint(1e-3, 0.0, 0.1, 0.2);
+  logarithmic->AddRGBPoint(1e5, 1.0, 0.9, 0.6);
+  scene.Mapper->SetColorTable(logarithmic);
+  ExpectProbed(scene, image, "logarithmic function");
+  discrete->SetUseLogScale(1);
+  discrete->SetNumberOfValues(12);
+  discrete->Build();
+  scene.Mapper->SetColorTable(discrete);
+  ExpectProbed(scene, image, "function in logarithmic steps");
+  for (const auto& range :
+    { std::array<double, 2>{ 0.0, 100.0 }, { 13.0, 60.0 }, { -100.0, -10.0 } })
+  {
+    vtkNew<vtkLookupTable> decades;
+    decades->SetScaleToLog10();
+    decades->SetNumberOfTableValues(50);
+    decades->SetTableRange(range.data());
+    decades->SetAboveRangeColor(0.1, 0.9, 0.2, 1.0);
+    decades->SetUseAboveRangeColor(range[0] == 13.0);
+    decades->Build();
+    scene.Mapper->SetColorTable(decades);
+    ExpectProbed(scene, image, "logarithmic table from " + std::to_string(range[0]));
+  }
+  vtkNew<vtkLookupTable> whole;
+  whole->SetNumberOfTableValues(100);
+  whole->SetTableRange(0.0, 100.0);
+  whole->Build();
+  scene.Mapper->SetColorTable(whole);
+  scene.ColorBy(true, "cell heat");
+  ExpectProbed(scene, image, "whole numbers between colours");
+  scene.ColorBy(false, "heat");
+
   // Names of whole numbers.
   vtkNew<vtkLookupTable> names;
   names->IndexedLookupOn();
@@ -365,6 +399,64 @@ void TestTables()
   Expect(scene.Render(Size, Size), "gray values of the property");
   const unsigned char* const middle = scene.ColorAt(Size / 2, Size / 2);
   Expect(middle[0] > 20 && middle[0] == middle[1] && middle[1] == middle[2], "are gray");
+}
+
+/// Where surfaces are faces of cells, each has the colour of the cell behind it.
+void TestFaces()
+{
+  const auto image = Ball();
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("drawn");
+  for (vtkIdType i = 0; i < image->GetNumberOfCells(); ++i)
+  {
+    double bounds[6];
+    image->GetCellBounds(i, bounds);
+    const double distance = std::hypot(0.5 * (bounds[0] + bounds[1]) - 10.3,
+      0.5 * (bounds[2] + bounds[3]) - 5.1, 0.5 * (bounds[4] + bounds[5]) - 6.2);
+    ofCells->InsertNextValue(distance < 5.0 ? 10.0 : 0.0);
+  }
+  image->GetCellData()->AddArray(ofCells);
+  vtkNew<vtkLookupTable> table;
+  table->SetTableRange(0.0, 10.0);
+  table->SetNumberOfTableValues(2);
+  table->SetTableValue(0, 1.0, 0.0, 0.0);
+  table->SetTableValue(1, 0.0, 1.0, 0.0);
+  ColorScene scene(image);
+  scene.Volume->GetProperty()->SetInterpolationTypeToNearest();
+  scene.Mapper->SetScalarModeToUseCellFieldData();
+  scene.Mapper->SelectScalarArray("drawn");
+  scene.Mapper->SetColorTable(table);
+  scene.ColorBy(true, "drawn");
+  Expect(scene.Render(Size, Size), "faces of cells");
+  int hit = 0, other = 0;
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      const unsigned char* const color = scene.ColorAt(x, y);
+      hit += color[3] != 0;
+      other += color[3] != 0 && color[1] < 250;
+    }
+  }
+  Expect(hit > Size && other == 0,
+    std::to_string(other) + " of " + std::to_string(hit) + " pixels show the cell before the face");
+}
+
+/// Blocks that lack the array are an error.
+void TestLackingBlocks()
+{
+  const auto image = Ball(), other = Ball();
+  other->SetOrigin(2.0 + 16.0, -3.0, 1.0);
+  other->GetPointData()->RemoveArray("heat");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  blocks->SetBlock(1, other);
+  ColorScene scene(blocks);
+  scene.SetIsovalues({ 8.0 });
+  scene.ColorBy(false, "flow");
+  Mistake mistake(scene, "named 'heat' on its points");
+  scene.ColorBy(false, "heat");
+  mistake.ExpectRefused();
 }
 
 /// Values that are missing have the table's colour for them.
@@ -545,6 +637,8 @@ int TestColorArray(int, char*[])
   TestCurvedCells();
   TestComposites();
   TestTables();
+  TestFaces();
+  TestLackingBlocks();
   TestMissing();
   TestRoutes();
   TestMistakes();

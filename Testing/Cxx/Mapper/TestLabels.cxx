@@ -336,6 +336,55 @@ void TestRoutes()
   compare("faces of voxels");
 }
 
+/// Of a large map, a stroke traces the tiles that see it.
+void TestStrokes()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(96, 80, 70);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (int k = 0; k < 70; ++k)
+  {
+    for (int j = 0; j < 80; ++j)
+    {
+      for (int i = 0; i < 96; ++i)
+      {
+        const double distance = std::hypot(i - 47.0, j - 40.0, k - 35.0);
+        image->SetScalarComponentFromDouble(i, j, k, 0, distance < 30.0 ? 1 + i / 20 : 0);
+      }
+    }
+  }
+  for (const double radius : { 0.0, 2.5 })
+  {
+    LabelScene scene(image), cold(image);
+    for (LabelScene* each : { &scene, &cold })
+    {
+      each->Mapper->SetLabelRadius(radius);
+      each->Volume->GetProperty()->ShadeOn();
+    }
+    Expect(scene.Render(160, 160), "a large map");
+    for (int stroke = 0; stroke < 3; ++stroke)
+    {
+      for (int step = 0; step < 60; ++step)
+      {
+        const int at[3] = { 40 + step % 4, 62 + step / 4 % 5, 30 + 6 * stroke + step / 20 };
+        image->SetScalarComponentFromDouble(
+          at[0], at[1], at[2], 0, 1 + (stroke + (radius > 0.0 ? 1 : 3)) % 4);
+      }
+      image->GetPointData()->GetScalars()->Modified();
+      Expect(scene.Render(160, 160) && cold.Render(160, 160) &&
+          AreIdentical(scene.Color, cold.Color) && AreIdentical(scene.Depth, cold.Depth),
+        "a stroke looks as in a new picture");
+      cold.Mapper->ClearCache();
+      auto* const statistics = scene.Mapper->GetStatistics();
+      Expect(stroke == 0 ||
+          (statistics->GetRoute() == vtkTemporalCoherenceVolumeMapper::ROUTE_TIME_STEP &&
+            statistics->GetNumberOfTracedRays() < 160 * 160 / 2),
+        "a stroke traces what sees it, not " + std::to_string(statistics->GetNumberOfTracedRays()) +
+          " rays by " + statistics->GetRouteAsString() + ", with radius " + std::to_string(radius));
+    }
+  }
+}
+
 void TestSettings()
 {
   vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;
@@ -426,6 +475,7 @@ int TestLabels(int, char*[])
   TestOpacities();
   TestCuts();
   TestRoutes();
+  TestStrokes();
   TestSettings();
   TestMistakes();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

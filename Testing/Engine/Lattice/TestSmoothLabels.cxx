@@ -479,4 +479,53 @@ TEST(SmoothLabels, LeaveNoGapBetweenNeighbours)
   EXPECT_EQ(gaps, 0);
 }
 
+TEST(SmoothLabels, ForgetWhatDependsOnPaintedSamples)
+{
+  const glm::ivec3 dimensions(41, 30, 27);
+  SmoothGrid<std::uint8_t> noise(dimensions);
+  std::mt19937 engine(5);
+  noise.Fill([&](int i, int, int) { return i / 9 + static_cast<int>(engine() % 12 == 0); });
+  const SmoothLabels kept(noise.Field, SmoothRadius);
+  const auto visitAll = [&](const SmoothLabels& smooth, const auto& visit)
+  {
+    for (int k = 0; k < dimensions.z - 1; k += CellBlocks::LeafSize)
+    {
+      for (int j = 0; j < dimensions.y - 1; j += CellBlocks::LeafSize)
+      {
+        for (int i = 0; i < dimensions.x - 1; i += CellBlocks::LeafSize)
+        {
+          for (const int label : { 0, 1, 3, 7 })
+          {
+            visit(glm::ivec3(i, j, k), label, smooth.Of({ i, j, k }, label));
+          }
+        }
+      }
+    }
+  };
+  visitAll(kept, [](const glm::ivec3&, int, const SmoothLabels::Block&) {});
+  const std::size_t all = kept.Memory();
+  const glm::ivec3 first(17, 11, 13), last(19, 14, 13); // of painted samples
+  for (int k = first.z; k <= last.z; ++k)
+  {
+    for (int j = first.y; j <= last.y; ++j)
+    {
+      for (int i = first.x; i <= last.x; ++i)
+      {
+        noise.At(i, j, k) = 7;
+      }
+    }
+  }
+  kept.Forget({ first - 1, last - first + 2 });
+  EXPECT_LT(kept.Memory(), all);
+  EXPECT_GT(kept.Memory(), all / 4) << "blocks far away stay";
+  const SmoothLabels made(noise.Field, SmoothRadius);
+  visitAll(kept,
+    [&](const glm::ivec3& cell, int label, const SmoothLabels::Block& block)
+    {
+      const SmoothLabels::Block& expected = made.Of(cell, label);
+      EXPECT_TRUE(block.Share == expected.Share && block.Gradient == expected.Gradient)
+        << label << " at " << cell.x << " " << cell.y << " " << cell.z;
+    });
+}
+
 }

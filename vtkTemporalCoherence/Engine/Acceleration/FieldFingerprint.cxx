@@ -114,6 +114,7 @@ FieldFingerprint FingerprintOf(const Field& field)
 std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFingerprint& now)
 {
   const glm::ivec3 nodes = ValueRangePyramid::NodesFor(now.Samples.Dimensions);
+  const int reach = Reach + now.Samples.Shape->Abilities().Reach;
   std::vector<CellBox> boxes;
   for (std::size_t i = 0; i < now.Nodes.size(); ++i)
   {
@@ -122,9 +123,9 @@ std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFin
       const auto node = static_cast<std::int64_t>(i);
       const glm::ivec3 place(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
       // The outermost samples of a node also belong to cells of its neighbours.
-      const glm::ivec3 first = glm::max(NodeSize * place - 1 - Reach, 0);
+      const glm::ivec3 first = glm::max(NodeSize * place - 1 - reach, 0);
       const glm::ivec3 last =
-        glm::min(NodeSize * (place + 1) + 1 + Reach, now.Samples.Dimensions - 1);
+        glm::min(NodeSize * (place + 1) + 1 + reach, now.Samples.Dimensions - 1);
       boxes.push_back({ first, last - first });
     }
   }

@@ -32,7 +32,8 @@ public:
   {
     FieldAbilities abilities;
     abilities.Samples = true;
-    abilities.TimeSteps = !this->Smooth; // a sample changes smooth surfaces far around it
+    abilities.TimeSteps = true;
+    abilities.Reach = this->Smooth ? this->Smooth->Reach() : 0;
     return abilities;
   }
 

@@ -285,13 +285,44 @@ void SmoothLabels::Clear() const
   const std::int64_t count = this->Leaves.x * this->Leaves.y * this->Leaves.z;
   for (std::int64_t leaf = 0; leaf < count; ++leaf)
   {
-    const Entry* entry = this->Heads[static_cast<std::size_t>(leaf)].exchange(nullptr);
-    while (entry)
+    this->Clear(this->Heads[static_cast<std::size_t>(leaf)]);
+  }
+}
+
+void SmoothLabels::Clear(Head& head) const
+{
+  const Entry* entry = head.exchange(nullptr);
+  while (entry)
+  {
+    delete std::exchange(entry, entry->Next);
+    --this->Count;
+  }
+}
+
+int SmoothLabels::Reach() const
+{
+  // Gradients are differences between neighbours.
+  return static_cast<int>(this->OfNormals->Weights.size()) / 2 + 1;
+}
+
+void SmoothLabels::Forget(const CellBox& changed) const
+{
+  constexpr int size = CellBlocks::LeafSize;
+  const glm::ivec3 first = changed.First - this->Reach();
+  const glm::ivec3 last = changed.First + changed.Size + this->Reach();
+  const glm::i64vec3 begin(glm::max(first / size - 1, 0));
+  const glm::i64vec3 end(glm::min(last / size + 1, glm::ivec3(this->Leaves)));
+  for (std::int64_t k = begin.z; k < end.z; ++k)
+  {
+    for (std::int64_t j = begin.y; j < end.y; ++j)
     {
-      delete std::exchange(entry, entry->Next);
+      for (std::int64_t i = begin.x; i < end.x; ++i)
+      {
+        this->Clear(
+          this->Heads[static_cast<std::size_t>(i + this->Leaves.x * (j + this->Leaves.y * k))]);
+      }
     }
   }
-  this->Count = 0;
 }
 
 const SmoothLabels::Block& SmoothLabels::Of(const glm::ivec3& cell, std::int64_t label) const
@@ -341,8 +372,7 @@ const SmoothLabels::Block& SmoothLabels::Add(Head& head, std::unique_ptr<Entry> 
 /// \return true if that is so
 bool SmoothLabels::Make(const glm::ivec3& firstSample, Entry& made, Entry& other) const
 {
-  // Gradients are differences between neighbours.
-  const int beside = static_cast<int>(this->OfNormals->Weights.size()) / 2 + 1;
+  const int beside = this->Reach();
   const LabelCube cube = DispatchScalarType(this->Samples.Type,
     [&](auto type)
     {

@@ -4,6 +4,7 @@
 #define TemporalCoherence_SmoothLabels_h
 
 #include "Scene/CellBlocks.h"
+#include "Scene/CellBox.h"
 #include "Scene/Field.h"
 
 #include <array>
@@ -62,6 +63,12 @@ public:
   /// Forget all blocks. Not thread-safe: no block may be in use.
   void Clear() const;
 
+  /// Samples in some cells have changed: forget the blocks that depend on them. Not thread-safe.
+  void Forget(const CellBox& changed) const;
+
+  /// The farthest samples that a sample is smoothed with.
+  int Reach() const;
+
   /// The position of a sample in a block, from its place in the leaf.
   static std::size_t PlaceOf(const glm::ivec3& inLeaf)
   {
@@ -80,6 +87,7 @@ private:
   using Head = std::atomic<const Entry*>;
   struct Smoothing;
 
+  void Clear(Head& head) const;
   const Block& Add(Head& head, std::unique_ptr<Entry> made) const;
   bool Make(const glm::ivec3& firstSample, Entry& made, Entry& other) const;
 

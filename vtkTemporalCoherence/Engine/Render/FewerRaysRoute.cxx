@@ -153,26 +153,26 @@ bool TraceGrid(FrameTask& task, const FrameKey& key, const LeapedSpace& whole, d
     PartOf(task.Report, 0.0, ShareOfGrid) };
   {
     const Stopwatch watch(sum.GridTime);
+    // One by one: a grid has too few tiles for groups.
+    const std::vector<std::int64_t> tiles = SpreadTiles(key.View.Size);
+    const double least = enough * static_cast<double>(tiles.size());
+    std::atomic<std::size_t> begun{ 0 };
+    TileLister lister(ofGrid);
+    std::size_t number = 0;
+    const TileWork work = WorkOf(ofGrid, { whole.Active, &bounds });
     const std::function<double()>& clock = task.Options.Fewer.Elapsed;
     const double begin = clock ? clock() : 0.0;
     // Of the time that was left when the grid began.
     const auto elapsed = [&]()
     {
       const double now = clock ? clock() : 0.0;
-      return now < 1.0 ? (now - begin) / (1.0 - begin) : 1.0;
+      return begin < 1.0 ? (now - begin) / (1.0 - begin) : 1.0;
     };
-    // One by one: a grid has too few tiles for groups.
-    const std::vector<std::int64_t> tiles = SpreadTiles(key.View.Size);
-    const double least = enough * static_cast<double>(tiles.size());
-    std::atomic<std::size_t> begun{ 0 };
     const auto goOn = [&]()
     {
-      const double now = elapsed();
+      const double now = std::min(elapsed(), 1.0);
       return static_cast<double>(begun++) >= least * now || now < FirstLook;
     };
-    TileLister lister(ofGrid);
-    std::size_t number = 0;
-    const TileWork work = WorkOf(ofGrid, { whole.Active, &bounds });
     if (!lister.MakeFront(tiles, ofGrid.Report, goOn, work, number))
     {
       return false;

@@ -56,7 +56,10 @@ public:
       this->InParallel(end - number, 1,
         [&](std::size_t, TraceCounts& counts)
         {
-          isStopped = isStopped || !goOn();
+          if (!isStopped && !goOn())
+          {
+            isStopped = true;
+          }
           if (!isStopped)
           {
             counts += this->MakeTile(tiles[next++], work);

@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -41,10 +40,11 @@ struct ValueColors
     }
     const auto next = std::upper_bound(this->Bounds.begin() + 1, this->Bounds.end() - 1, value);
     const auto segment = static_cast<std::size_t>(next - this->Bounds.begin()) - 1;
-    const double width = *next - *(next - 1);
-    const double share = width > 0.0 ? (value - *(next - 1)) / width : 0.0;
     const std::size_t count = this->Intervals.size() / (this->Bounds.size() - 1);
-    const double place = share * static_cast<double>(count);
+    // As vtkLookupTable multiplies, so that whole numbers find the same colours.
+    const double perValue = static_cast<double>(count) / (*next - *(next - 1));
+    const double from = value - *(next - 1);
+    const double place = from > 0.0 ? std::min(from * perValue, static_cast<double>(count)) : 0.0;
     const std::size_t interval = std::min(static_cast<std::size_t>(place), count - 1);
     const Interval& in = this->Intervals[segment * count + interval];
     const auto weight = static_cast<float>(place - static_cast<double>(interval));
@@ -81,21 +81,17 @@ public:
 /// Colours of surfaces by the values of an array.
 struct ArrayColors
 {
-  ArrayColors(std::shared_ptr<const ArrayValues> values, ValueColors colors)
-    : Values(std::move(values))
-    , Colors(std::move(colors))
-  {
-  }
-
   std::shared_ptr<const ArrayValues> Values;
-  ValueColors Colors;
+  std::shared_ptr<const ValueColors> Colors;
 };
 
 /// True if two pointers, which may be null, point to equal colours.
 inline bool AreSame(
   const std::shared_ptr<const ArrayColors>& a, const std::shared_ptr<const ArrayColors>& b)
 {
-  return a == b || (a && b && a->Values->IsSame(*b->Values) && a->Colors == b->Colors);
+  return a == b ||
+    (a && b && a->Values->IsSame(*b->Values) &&
+      (a->Colors == b->Colors || *a->Colors == *b->Colors));
 }
 
 }

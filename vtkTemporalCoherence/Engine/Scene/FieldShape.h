@@ -34,6 +34,7 @@ struct FieldAbilities
   bool Isomaps = false; ///< it has a BandTracer, and its SurfaceTracer searches the cells of knots
   bool Samples = false; ///< it has samples at Field::Samples, from which value ranges are made
   bool TimeSteps = false; ///< fingerprints tell which samples changed
+  int Reach = 0;          ///< a sample may change surfaces in so many cells around its own ones
   /// Cells have any shape: hits name their cells, and the field has no samples. It may end anywhere
   /// in its box; solids are capped there.
   bool IsMesh = false;

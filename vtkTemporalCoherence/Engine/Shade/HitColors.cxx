@@ -18,7 +18,7 @@ void FindByArray(const ArrayColors& array, const HitList& hits, Colors& colors)
   array.Values->Find(hits.Rays, hits.Cell, values);
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
-    const glm::vec3 color = array.Colors.At(values[i]);
+    const glm::vec3 color = array.Colors->At(values[i]);
     for (std::size_t a = 0; a < 3; ++a)
     {
       colors[a][i] = color[static_cast<int>(a)];

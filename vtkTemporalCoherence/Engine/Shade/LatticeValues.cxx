@@ -110,12 +110,32 @@ private:
     if (!this->Array.Grid)
     {
       GradientKernels::FindCells({ toIndex, this->Points, isNearest }, rays, points);
-      return;
     }
-    GradientKernels::FindGridCells(*this->Array.Grid, toIndex, rays, points);
-    for (std::size_t i = 0; i < points.Count && isNearest; ++i)
+    else
     {
-      this->MoveToSample(glm::dmat3(toIndex) * rays.DirectionAt(i), i, points);
+      GradientKernels::FindGridCells(*this->Array.Grid, toIndex, rays, points);
+      for (std::size_t i = 0; i < points.Count && isNearest; ++i)
+      {
+        this->MoveToSample(glm::dmat3(toIndex) * rays.DirectionAt(i), i, points);
+      }
+    }
+    for (std::size_t i = 0; i < points.Count && this->Array.IsOfCells; ++i)
+    {
+      this->EnterCell(glm::dmat3(toIndex) * rays.DirectionAt(i), i, points);
+    }
+  }
+
+  /// Move a point on a face of cells into the cell that its ray enters.
+  void EnterCell(const glm::dvec3& direction, std::size_t i, CellPoints<double>& points) const
+  {
+    constexpr double onFace = 1e-6;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const auto axis = static_cast<int>(a);
+      std::int32_t& cell = points.Cell[a][i];
+      const bool isBefore = points.At[a][i] > 1.0 - onFace && direction[axis] > 0.0;
+      const bool isBehind = points.At[a][i] < onFace && direction[axis] < 0.0;
+      cell = std::min(std::max(cell + isBefore - isBehind, 0), this->Points[axis] - 2);
     }
   }
 

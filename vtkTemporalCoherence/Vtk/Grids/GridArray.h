@@ -10,6 +10,10 @@
 #include "Input/ScalarChoice.h"
 #include "Mesh/Tracing/MeshValues.h"
 
+#include <vtkObjectBase.h>
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,16 +28,16 @@ class GridArray
 public:
   /// Find the values for the parts of a mesh that was made of data sets. At points that divide
   /// curved cells and polyhedra, their cells are evaluated.
+  /// \param read  receives the arrays that are read in place
   /// \param error receives the mistake and its remedy
   /// \return false on error
   /// \throws std::bad_alloc
-  bool See(const std::shared_ptr<const Mesh>& mesh, const CellOrigins& origins,
-    const ArrayChoice& choice, std::string& error);
+  bool See(const Mesh& mesh, const CellOrigins& origins, const ArrayChoice& choice,
+    std::vector<vtkSmartPointer<vtkObjectBase>>& read, std::string& error);
 
   /// Find the values for the mesh of an adaptive grid: values of cells, interpolated between their
   /// centres.
-  bool See(const std::shared_ptr<const Mesh>& mesh, AdaptiveGrid* amr, const ArrayChoice& choice,
-    std::string& error);
+  bool See(const Mesh& mesh, AdaptiveGrid* amr, const ArrayChoice& choice, std::string& error);
 
   const std::vector<PartValues>& Parts() const { return this->OfParts; }
 
@@ -41,7 +45,8 @@ public:
   std::uint64_t Stamp() const { return this->LastStamp; }
 
 private:
-  bool TakeNew(const MadeFrom& now, const Mesh& mesh);
+  bool IsKnown(const MadeFrom& now, const Mesh& mesh) const;
+  void Take(std::vector<PartValues> parts, const MadeFrom& now, const Mesh& mesh);
 
   MadeFrom From;
   std::uint64_t OfCells = 0, OfPoints = 0; ///< stamps of the mesh

@@ -126,6 +126,7 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
   FieldSetUp& done = field.SetUp;
   const Stopwatch watch(done.Seconds);
   Keep(this->Leaves, field);
+  field.Read.emplace_back(this->Amr);
   if (!this->SetUp(query, done, error))
   {
     return false;
@@ -142,13 +143,13 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
   return PlaceTree(tree, query.Volume, field.Transform, error);
 }
 
-bool MeshSource::MakeValues(const ArrayChoice& choice, vtkVolume* volume,
-  std::shared_ptr<const ArrayValues>& values, std::string& error)
+bool MeshSource::MakeValues(
+  const ArrayChoice& choice, vtkVolume* volume, FoundValues& found, std::string& error)
 {
-  const std::shared_ptr<const Mesh>& mesh = this->Grids.Made();
+  const Mesh& mesh = *this->Grids.Made();
   MeshValuesSource source;
   if (!(this->Amr ? this->Values.See(mesh, this->Amr, choice, error)
-                  : this->Values.See(mesh, *this->Grids.Origins(), choice, error)) ||
+                  : this->Values.See(mesh, *this->Grids.Origins(), choice, found.Read, error)) ||
     !PlaceTree(*this->Tree, volume, source.Transform, error))
   {
     return false;
@@ -156,7 +157,7 @@ bool MeshSource::MakeValues(const ArrayChoice& choice, vtkVolume* volume,
   source.Tree = this->Tree;
   source.Parts = this->Values.Parts();
   source.Stamp = this->Values.Stamp();
-  values = MakeMeshValues(source);
+  found.Values = MakeMeshValues(source);
   return true;
 }
 

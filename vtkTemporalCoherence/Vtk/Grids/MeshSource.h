@@ -30,8 +30,8 @@ public:
     const VectorChoice& vectors, DrawnComponent& found, std::string& error) override;
   bool IsEmpty() const override { return this->Leaves.empty() && !this->Amr; }
   bool Make(const FieldQuery& query, PlacedField& field, std::string& error) override;
-  bool MakeValues(const ArrayChoice& choice, vtkVolume* volume,
-    std::shared_ptr<const ArrayValues>& values, std::string& error) override;
+  bool MakeValues(
+    const ArrayChoice& choice, vtkVolume* volume, FoundValues& found, std::string& error) override;
   void Release() override { *this = MeshSource(); }
 
 private:

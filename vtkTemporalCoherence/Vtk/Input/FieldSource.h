@@ -81,6 +81,13 @@ struct PlacedField
   std::vector<vtkSmartPointer<vtkObjectBase>> Read;
 };
 
+/// The values of an array that gives surfaces their colours.
+struct FoundValues
+{
+  std::shared_ptr<const ArrayValues> Values;
+  std::vector<vtkSmartPointer<vtkObjectBase>> Read; ///< as PlacedField::Read
+};
+
 /// Makes fields of one sort of data, and keeps computed arrays until the data change.
 class FieldSource
 {
@@ -105,12 +112,11 @@ public:
   virtual bool Make(const FieldQuery& query, PlacedField& field, std::string& error) = 0;
 
   /// Make the values of another array of the found data.
-  /// \param values receives them
   /// \pre Make has returned true for the volume
   /// \return false on error
   /// \throws std::bad_alloc
-  virtual bool MakeValues(const ArrayChoice& choice, vtkVolume* volume,
-    std::shared_ptr<const ArrayValues>& values, std::string& error) = 0;
+  virtual bool MakeValues(
+    const ArrayChoice& choice, vtkVolume* volume, FoundValues& found, std::string& error) = 0;
 
   /// Drop all computed arrays.
   virtual void Release() = 0;

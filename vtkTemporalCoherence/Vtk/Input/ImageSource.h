@@ -32,10 +32,10 @@ public:
     const VectorChoice& vectors, DrawnComponent& found, std::string& error) override;
   bool IsEmpty() const override { return !this->Found.Array; }
   bool Make(const FieldQuery& query, PlacedField& field, std::string& error) override;
-  bool MakeValues(const ArrayChoice& choice, vtkVolume* volume,
-    std::shared_ptr<const ArrayValues>& values, std::string& error) override
+  bool MakeValues(
+    const ArrayChoice& choice, vtkVolume* volume, FoundValues& found, std::string& error) override
   {
-    return this->Values.Make(this->Data, choice, volume, values, error);
+    return this->Values.Make(this->Data, choice, volume, found, error);
   }
   void Release() override;
 

@@ -6,24 +6,47 @@
 #include "Kinds/RectilinearKind.h"
 #include "Shade/LatticeValues.h"
 
+#include <vtkCompositeDataIterator.h>
 #include <vtkDataArray.h>
 #include <vtkDataObjectTree.h>
 #include <vtkImageData.h>
 #include <vtkRectilinearGrid.h>
+#include <vtkSmartPointer.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
 namespace TemporalCoherence
 {
 
+namespace
+{
+
+/// True if all blocks with points have the array.
+bool HaveAll(vtkDataObjectTree* tree, const ArrayChoice& choice, std::string& error)
+{
+  const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    auto* const block = vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject());
+    if (block && block->GetNumberOfCells() > 0 && !FindScalars(block, choice.Scalars()).Array)
+    {
+      error = WhyThereIsNoArray(choice);
+      return false;
+    }
+  }
+  return true;
+}
+
+}
+
 bool ImageValues::Make(vtkDataObject* data, const ArrayChoice& choice, vtkVolume* volume,
-  std::shared_ptr<const ArrayValues>& values, std::string& error)
+  FoundValues& found, std::string& error)
 {
   this->Arrays.DropUnused();
   auto* dataSet = vtkDataSet::SafeDownCast(data);
   if (auto* const tree = vtkDataObjectTree::SafeDownCast(data))
   {
-    if (!this->Blocks.Merge(tree, choice.Scalars(), error))
+    if (!HaveAll(tree, choice, error) || !this->Blocks.Merge(tree, choice.Scalars(), error))
     {
       return false;
     }
@@ -66,7 +89,8 @@ bool ImageValues::Make(vtkDataObject* data, const ArrayChoice& choice, vtkVolume
   }
   made.IsOfCells = choice.OnCells;
   made.Grid = grid ? CoordinatesOf(*this->Grid.Shape()) : nullptr;
-  values = MakeLatticeValues(made);
+  found.Values = MakeLatticeValues(made);
+  found.Read = { array };
   return true;
 }
 

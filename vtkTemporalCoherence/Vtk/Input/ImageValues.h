@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_ImageValues_h
 #define TemporalCoherence_ImageValues_h
 
+#include "Input/FieldSource.h"
 #include "Input/ImageOfGrid.h"
 #include "Input/MergedBlocks.h"
 #include "Input/SamplesOfArray.h"
@@ -26,13 +27,12 @@ namespace TemporalCoherence
 class ImageValues
 {
 public:
-  /// \param data   an image, a rectilinear grid, or blocks of images on one lattice
-  /// \param values receives the array's values
-  /// \param error  receives the mistake and its remedy
+  /// \param data  an image, a rectilinear grid, or blocks of images on one lattice
+  /// \param error receives the mistake and its remedy
   /// \return false on error
   /// \throws std::bad_alloc
-  bool Make(vtkDataObject* data, const ArrayChoice& choice, vtkVolume* volume,
-    std::shared_ptr<const ArrayValues>& values, std::string& error);
+  bool Make(vtkDataObject* data, const ArrayChoice& choice, vtkVolume* volume, FoundValues& found,
+    std::string& error);
 
   void Release() { *this = ImageValues(); }
 

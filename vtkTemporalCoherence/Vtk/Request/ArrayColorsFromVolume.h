@@ -10,14 +10,15 @@
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkObject.h>
+#include <vtkScalarsToColors.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkScalarsToColors;
 class vtkVolume;
 VTK_ABI_NAMESPACE_END
 
@@ -28,7 +29,7 @@ namespace TemporalCoherence
 struct ArrayColorSettings
 {
   ArrayChoice Array;
-  vtkScalarsToColors* Table = nullptr; ///< null: the colour function of the property
+  vtkSmartPointer<vtkScalarsToColors> Table; ///< null: the colour function of the property
 };
 
 /// Makes the colours of surfaces by an array. Keeps those of a table until it changes.
@@ -38,17 +39,19 @@ public:
   /// \param fields    have made the field whose surfaces are drawn
   /// \param component of the property, for its colour function
   /// \param colors    receives them
+  /// \param read      receives arrays that must stay alive during the frame, besides others
   /// \param error     receives the mistake and its remedy
   /// \return false on error
   bool Make(FieldFromMapper& fields, const ArrayColorSettings& settings, int component,
-    vtkVolume* volume, std::shared_ptr<const ArrayColors>& colors, std::string& error);
+    vtkVolume* volume, std::shared_ptr<const ArrayColors>& colors,
+    std::vector<vtkSmartPointer<vtkObjectBase>>& read, std::string& error);
 
 private:
   bool FindColors(const SurfaceLooks& looks, std::string& error);
 
-  ValueColors Known;             ///< of the table
-  vtkSmartPointer<vtkObject> Of; ///< the table; null: none is known
-  vtkMTimeType Time = 0;         ///< of the table
+  std::shared_ptr<const ValueColors> Known; ///< of the table
+  vtkSmartPointer<vtkObject> Of;            ///< the table; null: none is known
+  vtkMTimeType Time = 0;                    ///< of the table
 };
 
 }

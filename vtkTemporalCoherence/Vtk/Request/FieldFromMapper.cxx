@@ -111,12 +111,12 @@ bool FieldFromMapper::Make(const FieldQuery& query, PlacedField& field, std::str
   }
 }
 
-bool FieldFromMapper::MakeValues(const ArrayChoice& choice, vtkVolume* volume,
-  std::shared_ptr<const ArrayValues>& values, std::string& error)
+bool FieldFromMapper::MakeValues(
+  const ArrayChoice& choice, vtkVolume* volume, FoundValues& found, std::string& error)
 {
   try
   {
-    return this->Source->MakeValues(choice, volume, values, error);
+    return this->Source->MakeValues(choice, volume, found, error);
   }
   catch (const std::exception&)
   {

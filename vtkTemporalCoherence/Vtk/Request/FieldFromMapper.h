@@ -46,8 +46,8 @@ public:
 
   /// Make the values of another array of the found data.
   /// \pre Make has returned true
-  bool MakeValues(const ArrayChoice& choice, vtkVolume* volume,
-    std::shared_ptr<const ArrayValues>& values, std::string& error);
+  bool MakeValues(
+    const ArrayChoice& choice, vtkVolume* volume, FoundValues& found, std::string& error);
 
   /// Drop all computed arrays.
   void Release();

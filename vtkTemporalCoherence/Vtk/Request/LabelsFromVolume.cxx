@@ -4,6 +4,7 @@
 
 #include "Input/SettingCheck.h"
 #include "Kinds/LabelKind.h"
+#include "Scene/FrameKey.h"
 
 #include <vtkLookupTable.h>
 #include <vtkPiecewiseFunction.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace TemporalCoherence
 {
@@ -68,22 +70,47 @@ bool LabelsFromVolume::Make(Field& samples, double radius, std::string& error)
   }
   if (!(this->Known == samples) || !this->Known.Labels)
   {
-    this->Release();
+    this->Known = Field(); // the next step may fail
     const auto labels = LabelSets::Make(samples);
     this->Known = samples;
     this->Known.Labels = labels;
   }
-  if (!this->Smooth || this->Smooth->Radius() != radius)
-  {
-    this->Smooth = radius > 0.0 ? std::make_shared<const SmoothLabels>(samples, radius) : nullptr;
-  }
-  else if (this->Smooth->Memory() > MostMemory)
-  {
-    this->Smooth->Clear();
-  }
+  this->MakeSmooth(samples, radius);
   samples.Labels = this->Known.Labels;
   samples.Shape = LabelKind(this->Smooth);
   return true;
+}
+
+/// Make smooth surfaces. Where samples have not changed, the last ones stay.
+void LabelsFromVolume::MakeSmooth(const Field& samples, double radius)
+{
+  const Field& last = this->Print.Samples;
+  const bool areKept = this->Smooth && this->Smooth->Radius() == radius &&
+    last.Samples == samples.Samples && last.Strides == samples.Strides && AreAlike(last, samples);
+  if (!areKept)
+  {
+    this->Smooth.reset();
+    this->Print = FieldFingerprint();
+    if (radius > 0.0)
+    {
+      this->Print = FingerprintOf(samples);
+      this->Smooth = std::make_shared<const SmoothLabels>(samples, radius);
+    }
+    return;
+  }
+  if (!(last == samples))
+  {
+    FieldFingerprint now = FingerprintOf(samples);
+    for (const CellBox& changed : ChangedCells(this->Print, now))
+    {
+      this->Smooth->Forget(changed);
+    }
+    this->Print = std::move(now);
+  }
+  if (this->Smooth->Memory() > MostMemory)
+  {
+    this->Smooth->Clear();
+  }
 }
 
 bool LabelsFromVolume::Find(const LabelSettings& settings, vtkVolumeProperty* property,

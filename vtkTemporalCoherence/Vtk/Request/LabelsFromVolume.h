@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_LabelsFromVolume_h
 #define TemporalCoherence_LabelsFromVolume_h
 
+#include "Acceleration/FieldFingerprint.h"
 #include "Lattice/SmoothLabels.h"
 #include "Scene/Field.h"
 #include "Scene/LabelSets.h"
@@ -51,15 +52,14 @@ public:
   /// True if the labels of some data are known.
   bool AreKnown() const { return this->Known.Labels != nullptr; }
 
-  void Release()
-  {
-    this->Known = Field();
-    this->Smooth.reset();
-  }
+  void Release() { *this = LabelsFromVolume(); }
 
 private:
+  void MakeSmooth(const Field& samples, double radius);
+
   Field Known;                                ///< whose labels are known
-  std::shared_ptr<const SmoothLabels> Smooth; ///< of these labels; or null
+  std::shared_ptr<const SmoothLabels> Smooth; ///< of labels, or null
+  FieldFingerprint Print;                     ///< of the samples that Smooth has seen
 };
 
 }

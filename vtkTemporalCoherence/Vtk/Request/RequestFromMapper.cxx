@@ -143,8 +143,8 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
       (!areLabels ||
         this->MakeLabels(settings, volume, sight.Renderer, drawn.OfProperty, request, error)) &&
       (isBlended || !sight.Renderer || !settings.Colors.Array.IsAsked() ||
-        this->ArrayColoring.Make(
-          this->Fields, settings.Colors, drawn.OfProperty, volume, key.Appearance.ByArray, error)));
+        this->ArrayColoring.Make(this->Fields, settings.Colors, drawn.OfProperty, volume,
+          key.Appearance.ByArray, request.Read, error)));
   this->IsMakingField = false;
   SetMutualLight(settings, key);
   if (isMade && isBlended)

@@ -38,9 +38,15 @@ public:
     places.Count = rays.Count;
     FindHitPlaces(
       rays, this->Source.Transform.IndexFromWorld, tree.Low(), tree.Scale(), places.Point);
-    const HitCells cells(tree, rays.Count, &known,
-      [&](std::size_t i)
-      { return glm::dvec3(places.Point[0][i], places.Point[1][i], places.Point[2][i]); });
+    const auto placeOf = [&](std::size_t i)
+    { return glm::dvec3(places.Point[0][i], places.Point[1][i], places.Point[2][i]); };
+    // Pictures that are interpolated from others do not know the cells of hits.
+    RayBatch::Array<CellNumber> numbers;
+    for (std::size_t i = 0; i < rays.Count; ++i)
+    {
+      numbers[i] = known[i] != NoCell ? known[i] : FindCellAt(tree, placeOf(i));
+    }
+    const HitCells cells(tree, rays.Count, &numbers, placeOf);
     places.Cell = cells.OfHit;
     MeshKernels::FindCellGradients(cells.Cells.data(), cells.Count, places);
     values.fill(std::numeric_limits<double>::quiet_NaN());

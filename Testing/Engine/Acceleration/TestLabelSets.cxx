@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -105,6 +106,47 @@ TEST(LabelSets, TellAllLabelsAndActiveCells)
   ExpectSets<std::uint16_t>({ 33, 34, 35 }, 700, 93.0);
   ExpectSets<std::int32_t>({ 33, 34, 35 }, 700, 1e6);
   ExpectSets<std::int64_t>({ 20, 21, 22 }, 40, 4e9);
+}
+
+TEST(LabelSets, FollowChangedCells)
+{
+  const glm::ivec3 dimensions(45, 38, 23);
+  Grid<std::uint16_t> grid(dimensions);
+  FillWithBlocks(grid, 30, 1.0);
+  std::mt19937 engine(6);
+  auto sets = LabelSets::Make(grid.Field);
+  const auto pick = [&](int below)
+  { return static_cast<int>(engine() % static_cast<unsigned int>(below)); };
+  for (int stroke = 0; stroke < 20; ++stroke)
+  {
+    const glm::ivec3 first(pick(dimensions.x), pick(dimensions.y), pick(dimensions.z));
+    const glm::ivec3 end =
+      glm::min(first + glm::ivec3(1 + pick(20), 1 + pick(9), 1 + pick(9)), dimensions);
+    const int label = stroke % 3 == 0 ? 40 + stroke : pick(30); // some labels are new, some vanish
+    for (int k = first.z; k < end.z; ++k)
+    {
+      for (int j = first.y; j < end.y; ++j)
+      {
+        for (int i = first.x; i < end.x; ++i)
+        {
+          grid.At(i, j, k) = static_cast<std::uint16_t>(label);
+        }
+      }
+    }
+    const glm::ivec3 low = glm::max(first - 1, 0), high = glm::min(end, dimensions - 1);
+    sets = sets->Updated(grid.Field, { { low, high - low } });
+    const auto made = LabelSets::Make(grid.Field);
+    EXPECT_EQ(sets->Labels(), made->Labels());
+    const glm::ivec3 along = CellBlocks::NodesFor(dimensions);
+    for (std::int64_t node = 0; node < along.x * along.y * along.z; ++node)
+    {
+      for (int bit = 0; bit < 63; ++bit)
+      {
+        const std::uint64_t one = std::uint64_t(1) << bit;
+        EXPECT_EQ(sets->LeavesWith(one, node), made->LeavesWith(one, node));
+      }
+    }
+  }
 }
 
 TEST(LabelSets, OfOneLabelHaveNoActiveLeaf)

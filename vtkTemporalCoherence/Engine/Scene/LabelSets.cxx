@@ -7,10 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
-#include <limits>
-#include <mutex>
+#include <atomic>
 #include <new>
+#include <numeric>
 #include <unordered_set>
 
 namespace TemporalCoherence
@@ -27,57 +26,30 @@ std::uint64_t BitOf(std::int64_t label)
   return std::uint64_t(1) << (static_cast<std::uint64_t>(label) % 63);
 }
 
-/// A set of labels, which are mostly added many times in a row.
+/// The labels of a node, which are mostly added many times in a row.
 template <typename T>
 class FoundLabels
 {
 public:
   void Add(T label)
   {
-    if (!this->HasLast || label != this->Last)
+    if (this->Seen.empty() || label != this->Seen.back())
     {
-      this->HasLast = true;
-      this->Last = label;
-      if constexpr (IsNarrow)
-      {
-        this->Has[PlaceOf(label)] = true;
-      }
-      else
-      {
-        this->Set.insert(static_cast<std::int64_t>(label));
-      }
+      this->Seen.push_back(label);
     }
   }
 
-  /// Ascending.
-  std::vector<std::int64_t> All() const
+  /// Take the labels, ascending, each once.
+  void TakeTo(std::vector<std::int64_t>& labels)
   {
-    std::vector<std::int64_t> labels(this->Set.begin(), this->Set.end());
-    std::sort(labels.begin(), labels.end());
-    for (std::size_t place = 0; place < this->Has.size(); ++place)
-    {
-      if (this->Has[place])
-      {
-        labels.push_back(static_cast<std::int64_t>(place) + Lowest);
-      }
-    }
-    return labels;
+    std::sort(this->Seen.begin(), this->Seen.end());
+    this->Seen.erase(std::unique(this->Seen.begin(), this->Seen.end()), this->Seen.end());
+    labels.assign(this->Seen.begin(), this->Seen.end());
+    this->Seen.clear();
   }
 
 private:
-  static constexpr bool IsNarrow = sizeof(T) <= 2;
-  static constexpr std::int64_t Lowest =
-    IsNarrow ? static_cast<std::int64_t>(std::numeric_limits<T>::lowest()) : 0;
-
-  static std::size_t PlaceOf(T label)
-  {
-    return static_cast<std::size_t>(static_cast<std::int64_t>(label) - Lowest);
-  }
-
-  bool HasLast = false;
-  T Last{};
-  std::unordered_set<std::int64_t> Set;                            ///< of wide types
-  std::vector<bool> Has = std::vector<bool>(IsNarrow ? 65536 : 0); ///< of narrow ones, by place
+  std::vector<T> Seen;
 };
 
 /// Finds the labels in the leaves of a node.
@@ -183,20 +155,17 @@ private:
 
 }
 
-std::shared_ptr<const LabelSets> LabelSets::Make(const Field& field)
+/// Scan some nodes, in parallel.
+void LabelSets::Scan(const Field& field, const std::vector<std::int64_t>& nodes)
 {
-  const auto sets = std::make_shared<LabelSets>();
   const glm::ivec3 along = CellBlocks::NodesFor(field.Dimensions);
-  const std::int64_t nodes = static_cast<std::int64_t>(along.x) * along.y * along.z;
-  sets->Leaves.resize(static_cast<std::size_t>(nodes) * CellBlocks::LeavesPerNode);
-  std::mutex guard;
-  bool isOutOfMemory = false;
+  std::atomic<bool> isOutOfMemory{ false };
   DispatchScalarType(field.Type,
     [&](auto type)
     {
       using T = decltype(type);
-      constexpr std::int64_t grain = 512;
-      ParallelForRanges(nodes, grain,
+      constexpr std::int64_t grain = 64;
+      ParallelForRanges(static_cast<std::int64_t>(nodes.size()), grain,
         [&](std::int64_t begin, std::int64_t end)
         {
           try
@@ -204,24 +173,19 @@ std::shared_ptr<const LabelSets> LabelSets::Make(const Field& field)
             FoundLabels<T> found;
             NodeScan<T> scan{ TypedField<T>(field), found };
             typename NodeScan<T>::Words words;
-            for (std::int64_t node = begin; node < end; ++node)
+            for (std::int64_t i = begin; i < end; ++i)
             {
+              const std::int64_t node = nodes[static_cast<std::size_t>(i)];
               const glm::ivec3 place(
                 node % along.x, node / along.x % along.y, node / along.x / along.y);
               scan.Scan(NodeSize * place, words);
               std::copy(words.begin(), words.end(),
-                sets->Leaves.begin() + node * CellBlocks::LeavesPerNode);
+                this->Leaves.begin() + node * CellBlocks::LeavesPerNode);
+              found.TakeTo(this->OfNodes[static_cast<std::size_t>(node)]);
             }
-            const std::vector<std::int64_t> labels = found.All();
-            const std::lock_guard<std::mutex> lock(guard);
-            std::vector<std::int64_t> both;
-            std::set_union(labels.begin(), labels.end(), sets->All.begin(), sets->All.end(),
-              std::back_inserter(both));
-            sets->All.swap(both);
           }
           catch (const std::bad_alloc&)
           {
-            const std::lock_guard<std::mutex> lock(guard);
             isOutOfMemory = true; // not every kind of threads passes exceptions on
           }
         });
@@ -230,6 +194,59 @@ std::shared_ptr<const LabelSets> LabelSets::Make(const Field& field)
   {
     throw std::bad_alloc();
   }
+}
+
+/// Find the labels of all nodes.
+void LabelSets::FindAll()
+{
+  std::unordered_set<std::int64_t> all;
+  for (const std::vector<std::int64_t>& labels : this->OfNodes)
+  {
+    all.insert(labels.begin(), labels.end());
+  }
+  this->All.assign(all.begin(), all.end());
+  std::sort(this->All.begin(), this->All.end());
+}
+
+std::shared_ptr<const LabelSets> LabelSets::Make(const Field& field)
+{
+  const auto sets = std::make_shared<LabelSets>();
+  const glm::ivec3 along = CellBlocks::NodesFor(field.Dimensions);
+  std::vector<std::int64_t> nodes(static_cast<std::size_t>(along.x) *
+    static_cast<std::size_t>(along.y) * static_cast<std::size_t>(along.z));
+  std::iota(nodes.begin(), nodes.end(), std::int64_t(0));
+  sets->Leaves.resize(nodes.size() * CellBlocks::LeavesPerNode);
+  sets->OfNodes.resize(nodes.size());
+  sets->Scan(field, nodes);
+  sets->FindAll();
+  return sets;
+}
+
+std::shared_ptr<const LabelSets> LabelSets::Updated(
+  const Field& field, const std::vector<CellBox>& changed) const
+{
+  const glm::ivec3 along = CellBlocks::NodesFor(field.Dimensions);
+  std::vector<std::int64_t> nodes;
+  for (const CellBox& box : changed)
+  {
+    const glm::ivec3 first = box.First / NodeSize;
+    const glm::ivec3 last = glm::min((box.First + box.Size - 1) / NodeSize, along - 1);
+    for (int k = first.z; k <= last.z; ++k)
+    {
+      for (int j = first.y; j <= last.y; ++j)
+      {
+        for (int i = first.x; i <= last.x; ++i)
+        {
+          nodes.push_back(i + along.x * (j + static_cast<std::int64_t>(along.y) * k));
+        }
+      }
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const auto sets = std::make_shared<LabelSets>(*this);
+  sets->Scan(field, nodes);
+  sets->FindAll();
   return sets;
 }
 

@@ -4,6 +4,7 @@
 #define TemporalCoherence_LabelSets_h
 
 #include "Scene/CellBlocks.h"
+#include "Scene/CellBox.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,12 @@ public:
   /// \throws std::bad_alloc
   static std::shared_ptr<const LabelSets> Make(const Field& field);
 
+  /// The sets of a field whose samples have changed in some cells since these were made. Reads no
+  /// other samples.
+  /// \throws std::bad_alloc
+  std::shared_ptr<const LabelSets> Updated(
+    const Field& field, const std::vector<CellBox>& changed) const;
+
   /// All labels of the field, ascending.
   const std::vector<std::int64_t>& Labels() const { return this->All; }
 
@@ -49,8 +56,12 @@ public:
   }
 
 private:
+  void Scan(const Field& field, const std::vector<std::int64_t>& nodes);
+  void FindAll();
+
   std::vector<std::int64_t> All;
-  std::vector<std::uint64_t> Leaves; ///< node by node
+  std::vector<std::uint64_t> Leaves;              ///< node by node
+  std::vector<std::vector<std::int64_t>> OfNodes; ///< labels of each node, ascending
 };
 
 }

@@ -70,47 +70,47 @@ bool LabelsFromVolume::Make(Field& samples, double radius, std::string& error)
   }
   if (!(this->Known == samples) || !this->Known.Labels)
   {
-    this->Known = Field(); // the next step may fail
-    const auto labels = LabelSets::Make(samples);
-    this->Known = samples;
-    this->Known.Labels = labels;
+    this->See(samples);
   }
-  this->MakeSmooth(samples, radius);
+  if (!this->Smooth || this->Smooth->Radius() != radius)
+  {
+    this->Smooth = radius > 0.0 ? std::make_shared<const SmoothLabels>(samples, radius) : nullptr;
+  }
+  else if (this->Smooth->Memory() > MostMemory)
+  {
+    this->Smooth->Clear();
+  }
   samples.Labels = this->Known.Labels;
   samples.Shape = LabelKind(this->Smooth);
   return true;
 }
 
-/// Make smooth surfaces. Where samples have not changed, the last ones stay.
-void LabelsFromVolume::MakeSmooth(const Field& samples, double radius)
+/// Find the labels of new samples. What was known of samples that have not changed stays.
+void LabelsFromVolume::See(const Field& samples)
 {
   const Field& last = this->Print.Samples;
-  const bool areKept = this->Smooth && this->Smooth->Radius() == radius &&
-    last.Samples == samples.Samples && last.Strides == samples.Strides && AreAlike(last, samples);
-  if (!areKept)
+  const bool areKept = this->Known.Labels && last.Samples == samples.Samples &&
+    last.Strides == samples.Strides && AreAlike(last, samples);
+  const Field known = std::exchange(this->Known, Field()); // the next steps may fail
+  FieldFingerprint now = FingerprintOf(samples);
+  std::shared_ptr<const LabelSets> labels;
+  if (areKept)
+  {
+    const std::vector<CellBox> changed = ChangedCells(this->Print, now);
+    labels = known.Labels->Updated(samples, changed);
+    for (std::size_t i = 0; this->Smooth && i < changed.size(); ++i)
+    {
+      this->Smooth->Forget(changed[i]);
+    }
+  }
+  else
   {
     this->Smooth.reset();
-    this->Print = FieldFingerprint();
-    if (radius > 0.0)
-    {
-      this->Print = FingerprintOf(samples);
-      this->Smooth = std::make_shared<const SmoothLabels>(samples, radius);
-    }
-    return;
+    labels = LabelSets::Make(samples);
   }
-  if (!(last == samples))
-  {
-    FieldFingerprint now = FingerprintOf(samples);
-    for (const CellBox& changed : ChangedCells(this->Print, now))
-    {
-      this->Smooth->Forget(changed);
-    }
-    this->Print = std::move(now);
-  }
-  if (this->Smooth->Memory() > MostMemory)
-  {
-    this->Smooth->Clear();
-  }
+  this->Print = std::move(now);
+  this->Known = samples;
+  this->Known.Labels = labels;
 }
 
 bool LabelsFromVolume::Find(const LabelSettings& settings, vtkVolumeProperty* property,

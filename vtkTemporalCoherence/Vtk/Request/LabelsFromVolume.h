@@ -55,11 +55,11 @@ public:
   void Release() { *this = LabelsFromVolume(); }
 
 private:
-  void MakeSmooth(const Field& samples, double radius);
+  void See(const Field& samples);
 
   Field Known;                                ///< whose labels are known
   std::shared_ptr<const SmoothLabels> Smooth; ///< of labels, or null
-  FieldFingerprint Print;                     ///< of the samples that Smooth has seen
+  FieldFingerprint Print;                     ///< of the samples whose labels are known
 };
 
 }

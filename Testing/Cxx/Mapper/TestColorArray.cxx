@@ -611,6 +611,16 @@ void TestMistakes()
     {
       vtkNew<vtkColorTransferFunction> table;
       table->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
+      table->AddRGBPoint(1.0, 1.0, 0.0, 0.0);
+      double node[6] = { std::nan(""), 0.0, 0.0, 0.0, 0.5, 0.0 };
+      table->SetNodeValue(1, node);
+      scene.Mapper->SetColorTable(table);
+    });
+  ExpectError("not all finite",
+    [](ColorScene& scene)
+    {
+      vtkNew<vtkColorTransferFunction> table;
+      table->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
       table->AddRGBPoint(std::numeric_limits<double>::infinity(), 1.0, 0.0, 0.0);
       scene.Mapper->SetColorTable(table);
     });

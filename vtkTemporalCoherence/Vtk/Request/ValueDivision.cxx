@@ -24,6 +24,12 @@ namespace
 /// Intervals of a nonlinear function, and the fewest between neighbouring nodes.
 constexpr std::size_t MostIntervals = 4096, FewestIntervals = 16;
 
+bool AreFinite(const std::vector<double>& numbers)
+{
+  return std::all_of(
+    numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+}
+
 ValueDivision EvenSteps(const double* range, int count)
 {
   return { { range[0], range[1] }, static_cast<std::size_t>(std::max(count, 1)), true };
@@ -57,6 +63,12 @@ ValueDivision LogarithmicSteps(const double* range, int count)
 {
   double logarithms[2];
   vtkLookupTable::GetLogRange(range, logarithms);
+  const bool hasOneSign =
+    range[0] * range[1] >= 0.0 && std::isfinite(logarithms[1] - logarithms[0]);
+  if (!hasOneSign)
+  {
+    return EvenSteps(range, count);
+  }
   const double sign = range[0] < 0.0 ? -1.0 : 1.0;
   ValueDivision found;
   found.AreSteps = true;
@@ -93,7 +105,10 @@ ValueDivision DivideAtNodes(Function* function, std::size_t shape, bool isLinear
     found.Bounds.push_back(node[0]);
     isLinear = isLinear && node[shape] == 0.5 && node[shape + 1] == 0.0;
   }
-  std::sort(found.Bounds.begin(), found.Bounds.end());
+  if (AreFinite(found.Bounds)) // others have no order
+  {
+    std::sort(found.Bounds.begin(), found.Bounds.end());
+  }
   found.InSegment = isLinear
     ? 1
     : std::max(MostIntervals / std::max(found.Bounds.size(), std::size_t(1)), FewestIntervals);
@@ -174,8 +189,7 @@ bool Divide(const SurfaceLooks& looks, ValueDivision& found, std::string& error)
   {
     found.Bounds.push_back(found.Bounds.empty() ? 0.0 : found.Bounds.back());
   }
-  const auto isFinite = [](double bound) { return std::isfinite(bound); };
-  if (!std::all_of(found.Bounds.begin(), found.Bounds.end(), isFinite))
+  if (!AreFinite(found.Bounds))
   {
     error = "The values to which colours belong are not all finite; set finite numbers in the "
             "ColorTable or in the colours of the volume's property.";

@@ -164,7 +164,8 @@ build_plugin()
   say "Built $plugin"
 }
 
-has_no_warnings() { ! grep -q 'warning:' "$log"; }
+# Of the compiler: apt writes into the log, too.
+has_no_warnings() { ! grep -qE ':[0-9]+:[0-9]+: warning:' "$log"; }
 
 start_display()
 {

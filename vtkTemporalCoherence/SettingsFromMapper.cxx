@@ -33,8 +33,7 @@ PictureSettings SettingsOf(Mapper* mapper)
   settings.Vectors = VectorsOf(mapper);
   settings.Labels = { mapper->GetSurfaceMode() == Mapper::LABELS, mapper->GetOutsideLabel(),
     mapper->GetLabelTable(), mapper->GetLabelRadius() };
-  const char* const colorArray = mapper->GetColorArrayName();
-  settings.Colors = { { colorArray ? colorArray : "", mapper->GetColorArrayOnCells() != 0,
+  settings.Colors = { { mapper->GetColorArrayName(), mapper->GetColorArrayOnCells() != 0,
                         mapper->GetColorArrayComponent() },
     mapper->GetColorTable() };
   settings.Mode =

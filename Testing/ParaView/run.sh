@@ -164,8 +164,8 @@ build_plugin()
   say "Built $plugin"
 }
 
-# Of the compiler: apt writes into the log, too.
-has_no_warnings() { ! grep -qE ':[0-9]+:[0-9]+: warning:' "$log"; }
+# Packages are installed with the same log.
+has_no_warnings() { ! grep 'warning:' "$log" | grep -qv '^update-alternatives: '; }
 
 start_display()
 {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -26,29 +27,42 @@ void FindByArray(const ArrayColors& array, const HitList& hits, Colors& colors)
   }
 }
 
+void FindBySurface(const std::vector<glm::dvec3>& ofSurfaces, const HitList& hits, Colors& colors)
+{
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    const glm::dvec3& color = ofSurfaces[static_cast<std::size_t>(hits.Surface[i])];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      colors[a][i] = static_cast<float>(color[static_cast<int>(a)]);
+    }
+  }
+}
+
 }
 
 void FindHitColors(const Appearance& appearance, const HitList& hits, Colors& colors)
 {
+  if (!appearance.ByArray && appearance.Colors.size() == 1)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      std::fill_n(colors[a].begin(), WholeVectors(hits.Rays.Count),
+        static_cast<float>(appearance.Colors[0][static_cast<int>(a)]));
+    }
+    return;
+  }
   if (appearance.ByArray)
   {
     FindByArray(*appearance.ByArray, hits, colors);
   }
-  for (std::size_t a = 0; a < 3; ++a)
+  else
   {
-    const auto axis = static_cast<int>(a);
-    if (!appearance.ByArray && appearance.Colors.size() == 1)
-    {
-      std::fill_n(colors[a].begin(), WholeVectors(hits.Rays.Count),
-        static_cast<float>(appearance.Colors[0][axis]));
-      continue;
-    }
-    for (std::size_t i = 0; !appearance.ByArray && i < hits.Rays.Count; ++i)
-    {
-      const glm::dvec3& color = appearance.Colors[static_cast<std::size_t>(hits.Surface[i])];
-      colors[a][i] = static_cast<float>(color[axis]);
-    }
-    FillLastVector(hits.Rays.Count, colors[a]);
+    FindBySurface(appearance.Colors, hits, colors);
+  }
+  for (RayBatch::Array<float>& channel : colors)
+  {
+    FillLastVector(hits.Rays.Count, channel);
   }
 }
 

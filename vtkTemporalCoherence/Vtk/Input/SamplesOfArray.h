@@ -74,7 +74,8 @@ private:
 /// \return false if the array lacks a component that the user chose
 bool HasComponent(vtkDataArray* array, int component, std::string& error);
 
-/// The same of the component that gives colours; lengths need none.
+/// Check that an array has the component that is to give colours. Lengths of vectors need none.
+/// \param error receives the mistake and its remedy
 bool HasComponent(vtkDataArray* array, const ArrayChoice& choice, std::string& error);
 
 /// The number of cells or points of an image. If it overflows, which VTK does not notice, the

@@ -54,6 +54,7 @@ private slots:
   void TimeStepsArePlayed();
   void PicturesGetBetter();
   void PicturesAndFilmsAreFinal();
+  void KeysWorkOnceAPictureIsSaved();
   void VolumesAreMadeInParts();
   void ClicksOfTheWheelAreJoined();
   void TrianglesAreExported();

@@ -7,12 +7,14 @@
 #include "ExplorerTests.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QLabel>
 #include <QProgressBar>
 #include <QSlider>
 #include <QVTKOpenGLNativeWidget.h>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <set>
 
 // Opening comes back at once; what is read is seen when the event loop has run.
@@ -189,6 +191,21 @@ void ExplorerTests::PicturesAndFilmsAreFinal()
       said.last()[0].toString().startsWith("Recorded 2"), said.last()[0].toString().toUtf8());
   }
   QVERIFY(camera.Position == this->Bench->Data.View.Camera().Position);
+}
+
+// Commands that change the view are off while a picture is made, and on as soon as it is saved.
+void ExplorerTests::KeysWorkOnceAPictureIsSaved()
+{
+  const auto actions = this->Window->findChildren<QAction*>();
+  const auto turn = std::find_if(actions.begin(), actions.end(),
+    [](const QAction* action) { return action->shortcut() == QKeySequence("U"); });
+  QVERIFY(turn != actions.end() && (*turn)->isEnabled());
+  this->Bench->SavePicture(
+    this->Directory.filePath("large.png").toStdString(), 8 * Width, 8 * Height);
+  emit this->Bench->Settled();
+  QVERIFY(!(*turn)->isEnabled());
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+  QVERIFY((*turn)->isEnabled());
 }
 
 // No frame waits for all rays of a volume; the picture is final in the end, and that of one piece.

@@ -345,6 +345,7 @@ void Workbench::Finish(std::packaged_task<void()>& task, const std::function<voi
       done();
     });
   emit this->Changed();
+  emit this->Settled(); // at once: the next key may need what was off meanwhile
 }
 
 void Workbench::Open(const Session& session)

@@ -310,7 +310,7 @@ usage: temporal-coherence [VOLUME [ISOVALUE] | FILE.session] [OPTIONS] [-o PICTU
   --shift V              moves the preset over the values
   --maximum, --minimum   the largest or the smallest value of each ray, in grey
   --window W --level L   how many values lie from black to white, and the middle one
-  --draw NAME            surfaces composite maximum minimum average additive
+  --draw NAME            surfaces composite maximum minimum average additive labels
 
  view
   --azimuth D            degrees around the volume

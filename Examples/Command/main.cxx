@@ -97,6 +97,12 @@ void SetLook(Model& model, const Options& options)
       " is a mesh, of which only surfaces can be drawn; leave out --preset, --maximum, --minimum "
       "and --draw.");
   }
+  if (look.Choice(Row::Drawing) == Drawing::Labels && !model.CanBeLabels())
+  {
+    throw UserError("The samples of " + Quoted(model.Data().Name) +
+      " cannot be labels, which are whole numbers of an image, at most 32767; leave out --draw "
+      "labels.");
+  }
   if (options.Preset)
   {
     model.SetChoice(look, Row::Preset, *options.Preset);
@@ -184,7 +190,7 @@ void Run(const Options& options)
   std::printf("Volume: %s, %s, values %g to %g%s\n", model.Data().Name.c_str(),
     model.Description().c_str(), model.Counted().Range[0], model.Counted().Range[1],
     remark.c_str());
-  if (model.DrawsSurfaces() && options.Isovalues.empty())
+  if (model.HasIsovalues() && options.Isovalues.empty())
   {
     std::printf("Isovalue: %g (chosen from the histogram)\n", *model.State().Isovalue);
   }

@@ -43,6 +43,8 @@ private slots:
   void PresetsAndShift();
   void ProjectionsAreGrey();
   void TheCutShowsSamples();
+  void LabelsHaveNames();
+  void NamesOfAllKindsAreRead();
   void SessionsMoveWithTheirVolumes();
 
   void TheWindowAnswersWhileReading();
@@ -64,6 +66,7 @@ private slots:
   void TheHistogramIsZoomed();
   void FilesOfSamplesAloneAreAskedFor();
   void TheTableChangesSurfaces();
+  void TheListChangesLabels();
   void PanelsShowTheModel();
   void ClippingAndCropping();
   void PicturesHaveAnnotations();
@@ -78,6 +81,7 @@ private slots:
 
 private:
   void Open(const Session& session);
+  void OpenLabels(); // 1, 2 and 30, of which a file tells names
 
   QTemporaryDir Directory;
   std::unique_ptr<Workbench> Bench;

@@ -7,6 +7,8 @@
 #include "ExplorerTests.h"
 
 #include "Files/FourSpheres.h"
+#include "Files/LabelNames.h"
+#include "Program/UserError.h"
 #include "View/Appearance.h"
 
 #include <vtkCamera.h>
@@ -319,4 +321,118 @@ void ExplorerTests::SessionsMoveWithTheirVolumes()
   this->Bench->OpenPath(moved);
   QVERIFY(opened.wait(Patience));
   QVERIFY(QString::fromStdString(missing).endsWith("there/data/series.vtu"));
+}
+
+void ExplorerTests::OpenLabels()
+{
+  constexpr int edge = 24;
+  std::string samples;
+  for (int i = 0; i < edge * edge * edge; ++i)
+  {
+    const int x = i % edge, y = i / edge % edge, z = i / edge / edge;
+    const bool isInside = std::min({ x, y, z }) > 2 && std::max({ x, y, z }) < edge - 3;
+    samples += static_cast<char>(!isInside ? 0 : x < 8 ? 1 : x < 16 ? 2 : 30);
+  }
+  Write(this->Directory.filePath("seg.raw"), samples);
+  Write(this->Directory.filePath("seg.mhd"),
+    "ObjectType = Image\nNDims = 3\nDimSize = 24 24 24\nElementType = MET_UCHAR\n"
+    "ElementDataFile = seg.raw\n");
+  Write(this->Directory.filePath("seg.txt"),
+    "# ITK-SnAP label description\n    0     0    0    0        0  0  0    \"Clear\"\n"
+    "    1   255    0    0        1  1  1    \"left; lung\"\n"
+    "   30     0  255   51      0.5  1  0    \"heart\"\n");
+  Session session;
+  session.Source.Path = this->Directory.filePath("seg.mhd").toStdString();
+  session.MaySuitFile = true;
+  session.Settings.Values[Row::Occlusion] = 0;
+  this->Open(session);
+}
+
+// A file of names beside the volume says that its samples are labels, unless somebody has chosen.
+void ExplorerTests::LabelsHaveNames()
+{
+  this->OpenLabels();
+  Model& model = this->Bench->Data;
+  QVERIFY(model.DrawsLabels() && !model.HasIsovalues() && !model.HasMarkers());
+  QCOMPARE(model.Settings().Labels.size(), std::size_t(3));
+  QCOMPARE(model.Settings().Labels[0].Name, std::string("left; lung"));
+  QVERIFY(model.Settings().Labels[0].Color == (Rgb{ 1.0, 0.0, 0.0 }));
+  QCOMPARE(model.Settings().Labels[1].Label, 2);
+  QVERIFY(model.Settings().Labels[1].Name.empty());
+  QCOMPARE(model.Settings().Labels[2].Opacity, 0.5);
+  const auto picture = model.View.Picture(Width, Height);
+  // Hidden, and found again in a session.
+  this->Bench->EditOnce("labels", [](Look& look) { look.Labels[2].IsVisible = false; });
+  const auto without = model.View.Picture(Width, Height);
+  QVERIFY(!AreSame(picture, without));
+  const std::string path = this->Directory.filePath("labels.session").toStdString();
+  model.Save(path);
+  this->Bench->Changes.undo();
+  QVERIFY(AreSame(picture, model.View.Picture(Width, Height)));
+  this->Open(ReadSession(path));
+  QCOMPARE(model.Settings().Labels[0].Name, std::string("left, lung"));
+  QVERIFY(!model.Settings().Labels[2].IsVisible);
+  QVERIFY(AreSame(without, model.View.Picture(Width, Height)));
+  // Names from another file leave colours alone that it does not tell.
+  Write(this->Directory.filePath("more.json"), R"({"labels": {"lung": 1, "aorta": 2}})");
+  this->Bench->EditOnce("labels",
+    [this](Look& look)
+    { Model::NameLabels(look, this->Directory.filePath("more.json").toStdString()); });
+  QCOMPARE(model.Settings().Labels[1].Name, std::string("aorta"));
+  QVERIFY(model.Settings().Labels[0].Color == (Rgb{ 1.0, 0.0, 0.0 }));
+
+  Session session = SmallSession();
+  session.Source.Path = this->Directory.filePath("seg.mhd").toStdString();
+  this->Open(session);
+  QVERIFY(!model.DrawsLabels());
+  // The next volume is no segmentation.
+  this->OpenLabels();
+  QSignalSpy opened(this->Bench.get(), &Workbench::Opened);
+  Write(this->Directory.filePath("scan.mhd"), TextOf(this->Directory.filePath("seg.mhd")));
+  this->Bench->OpenPath(this->Directory.filePath("scan.mhd"));
+  QVERIFY(!opened.isEmpty() || opened.wait(Patience));
+  QVERIFY(!model.DrawsLabels());
+}
+
+void ExplorerTests::NamesOfAllKindsAreRead()
+{
+  const auto read = [this](const char* name, const std::string& text)
+  {
+    Write(this->Directory.filePath(name), text);
+    return ReadLabelNames(this->Directory.filePath(name).toStdString());
+  };
+  const auto slicer =
+    read("a.ctbl", "# Color table file\n0 air 0 0 0 0\n7 left_lung 255 51 0 255\n");
+  QCOMPARE(slicer.size(), std::size_t(2));
+  QCOMPARE(slicer[1].Name, std::string("left lung"));
+  QVERIFY(slicer[1].Color && (*slicer[1].Color)[1] == 0.2 && slicer[0].Opacity == 0.0);
+  for (const char* text :
+    { R"({"1": "liver", "12": "spleen"})", R"({"liver": 1, "spleen": "12"})",
+      R"({"name": "x", "labels": {"liver": 1, "spleen": 12}})",
+      R"([{"value": 1, "name": "liver", "color": [255, 51, 0]}, {"label": 12, "name": "spleen"}])" })
+  {
+    const auto names = read("b.json", text);
+    QCOMPARE(names.size(), std::size_t(2));
+    const bool isFirst = names[0].Label == 1;
+    QCOMPARE(names[isFirst ? 0 : 1].Name, std::string("liver"));
+    QCOMPARE(names[isFirst ? 1 : 0].Label, 12);
+  }
+  for (const char* text : { "", "{", "[]", "7", R"({"EchoTime": 0.03})", R"([{"value": 1}])",
+         R"([{"value": -1, "name": "x"}])",
+         R"([{"value": 1, "name": "x", "color": ["red", 0, 0]}])", R"({"1": {"2": 3}})" })
+  {
+    QVERIFY_EXCEPTION_THROWN(read("c.json", text), UserError);
+  }
+  // Many files beside a volume have names with numbers.
+  const std::string sidecar = this->Directory.filePath("d.json").toStdString();
+  Write(this->Directory.filePath("d.json"), R"({"RepetitionTime": 2, "FlipAngle": 90})");
+  QCOMPARE(ReadLabelNames(sidecar).size(), std::size_t(2));
+  QVERIFY_EXCEPTION_THROWN(ReadLabelNames(sidecar, true), UserError);
+  // FreeSurfer's tables have 0 where Slicer's have opacities.
+  QCOMPARE(
+    *read("e.txt", "10 Left-Thalamus 0 118 14 0\n11 Left-Caudate 122 186 220 0\n")[1].Opacity, 1.0);
+  QVERIFY_EXCEPTION_THROWN(read("c.txt", "1 2 3\n"), UserError);
+  QVERIFY_EXCEPTION_THROWN(read("c.txt", "1 liver 255 0 0 255\nno label\n"), UserError);
+  QVERIFY_EXCEPTION_THROWN(
+    ReadLabelNames(this->Directory.filePath("missing.txt").toStdString()), UserError);
 }

@@ -15,6 +15,7 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -157,6 +158,58 @@ void ExplorerTests::TheTableChangesSurfaces()
   QCOMPARE(surface().Opacity, 0.4);
   this->Bench->Edit("surface", [](Look& look) { look.Surfaces.push_back(look.Surfaces[0]); });
   QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 2, Patience);
+}
+
+void ExplorerTests::TheListChangesLabels()
+{
+  this->OpenLabels();
+  auto* list = this->Window->findChild<QTableWidget*>("labels");
+  QTRY_COMPARE_WITH_TIMEOUT(list->rowCount(), 3, Patience);
+  QTRY_VERIFY_WITH_TIMEOUT(list->isVisible(), Patience);
+  QVERIFY(!this->Window->findChild<QTableWidget*>("surfaces")->isVisible());
+  QCOMPARE(list->item(2, 0)->text(), QString("30 heart"));
+  const auto seen = [this]
+  {
+    std::string labels;
+    for (const LabelLook& label : this->Bench->Data.Settings().Labels)
+    {
+      labels += label.IsVisible ? std::to_string(label.Label) + " " : "";
+    }
+    return labels;
+  };
+  const auto press = [this](const char* text)
+  {
+    for (QAbstractButton* button : this->Window->findChildren<QAbstractButton*>())
+    {
+      if (button->text() == text)
+      {
+        button->click();
+      }
+    }
+  };
+  list->item(0, 0)->setCheckState(Qt::Unchecked);
+  QCOMPARE(seen(), std::string("2 30 "));
+  list->item(2, 1)->setText("40 %");
+  QCOMPARE(this->Bench->Data.Settings().Labels[2].Opacity, 0.4);
+  list->selectRow(1);
+  press("Solo");
+  QCOMPARE(seen(), std::string("2 "));
+  press("Solo");
+  QCOMPARE(seen(), std::string("1 2 30 "));
+  // What is found alone is hidden.
+  auto* search = this->Window->findChild<QLineEdit*>("search labels");
+  search->setText("HEART");
+  QVERIFY(list->isRowHidden(0) && !list->isRowHidden(2));
+  press("Hide");
+  QCOMPARE(seen(), std::string("1 2 "));
+  search->clear();
+  press("Show");
+  QCOMPARE(seen(), std::string("1 2 30 "));
+  this->Bench->Changes.undo();
+  QCOMPARE(seen(), std::string("1 2 "));
+  // Data that are no labels show surfaces again.
+  this->Bench->Turn(Row::Drawing, 1);
+  QTRY_VERIFY_WITH_TIMEOUT(!list->isVisible(), Patience);
 }
 
 void ExplorerTests::PanelsShowTheModel()

@@ -7,18 +7,22 @@
 #include "Program/UserError.h"
 
 #include <vtkAbstractVolumeMapper.h>
+#include <vtkArrayDispatch.h>
 #include <vtkBitArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataArrayRange.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkUniformGridAMR.h>
 
 #include <algorithm>
+#include <climits>
 #include <functional>
 #include <sstream>
+#include <unordered_set>
 
 namespace
 {
@@ -35,6 +39,36 @@ bool IsDrawable(vtkDataSetAttributes* attributes, int i)
   return array && array->GetName() && array->GetName()[0] && !vtkBitArray::SafeDownCast(array) &&
     attributes->GetArrayName(i) != std::string(vtkDataSetAttributes::GhostArrayName()) &&
     array != attributes->GetGlobalIds() && array != attributes->GetPedigreeIds();
+}
+
+template <typename Array>
+std::vector<int> DifferentValues(Array* array, std::size_t most)
+{
+  std::unordered_set<int> found;
+  std::vector<bool> isKnown(1 << 16); // of the small ones
+  vtkTypeInt64 last = -1;
+  for (const auto value : vtk::DataArrayValueRange<1>(array))
+  {
+    const auto number = static_cast<vtkTypeInt64>(value);
+    const bool isSmall = number >= 0 && number < static_cast<vtkTypeInt64>(isKnown.size());
+    if (number == last || (isSmall && isKnown[static_cast<std::size_t>(number)]))
+    {
+      continue;
+    }
+    last = number;
+    if (isSmall)
+    {
+      isKnown[static_cast<std::size_t>(number)] = true;
+    }
+    if (number >= INT_MIN && number <= INT_MAX && found.insert(static_cast<int>(number)).second &&
+      found.size() >= most)
+    {
+      break;
+    }
+  }
+  std::vector<int> values(found.begin(), found.end());
+  std::sort(values.begin(), values.end());
+  return values;
 }
 
 std::string ListOf(const std::vector<ArrayChoice>& choices)
@@ -254,4 +288,30 @@ std::string DescriptionOf(const Volume& volume)
     text << ' ' << Printable(volume.Array.Name) << (volume.Array.IsOnCells ? " of cells" : "");
   }
   return text.str();
+}
+
+bool AreWholeNumbers(const Volume& volume)
+{
+  const std::vector<vtkDataSet*> sets = DataSetsOf(volume.Data);
+  const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
+  return !arrays.empty() &&
+    std::all_of(sets.begin(), sets.end(),
+      [](vtkDataSet* set) { return vtkImageData::SafeDownCast(set) != nullptr; }) &&
+    std::all_of(arrays.begin(), arrays.end(),
+      [](vtkDataArray* array)
+      {
+        const int type = array->GetDataType();
+        return array->GetNumberOfComponents() == 1 && type != VTK_FLOAT && type != VTK_DOUBLE;
+      });
+}
+
+std::vector<int> WholeNumbersOf(vtkDataArray* array, std::size_t most)
+{
+  std::vector<int> values;
+  const auto work = [&](auto* typed) { values = DifferentValues(typed, most); };
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(array, work))
+  {
+    work(array);
+  }
+  return values;
 }

@@ -5,6 +5,7 @@
 
 #include "Files/Volume.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,13 @@ void ShowArray(const Volume& volume, vtkAbstractVolumeMapper* mapper);
 // What else could be drawn: "choose another array by --array: p, v; or ...". Empty if there is
 // nothing.
 std::string OthersThan(const Volume& volume);
+
+// Whether samples may be labels: those of an image, which are whole numbers of one component.
+bool AreWholeNumbers(const Volume& volume);
+
+// The different values of such samples, ascending. At most so many are looked for. Values beyond
+// the range of int are left out.
+std::vector<int> WholeNumbersOf(vtkDataArray* array, std::size_t most);
 
 // "256 x 256 x 110  uchar", or "7472 cells  double Temp"
 std::string DescriptionOf(const Volume& volume);

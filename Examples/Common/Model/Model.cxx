@@ -3,6 +3,7 @@
 #include "Model/Model.h"
 
 #include "Files/Arrays.h"
+#include "Files/LabelNames.h"
 #include "Files/VolumeReader.h"
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
@@ -16,7 +17,9 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <set>
 
 namespace
 {
@@ -74,6 +77,54 @@ std::vector<Marker> FirstGreys(const Histogram& counted, int drawing)
   return { { black, 0.0 }, { white, 1.0 } };
 }
 
+void Name(const LabelName& named, LabelLook& label)
+{
+  label.Name = named.Name;
+  label.Color = named.Color.value_or(label.Color);
+  if (named.Opacity)
+  {
+    label.IsVisible = *named.Opacity > 0.0;
+    label.Opacity = label.IsVisible ? *named.Opacity : label.Opacity;
+  }
+}
+
+// None if there is no file of names beside a volume: other files may have such a name.
+std::vector<LabelLook> LabelsNamedBeside(const std::string& volume)
+{
+  std::vector<LabelLook> labels;
+  const std::string names = LabelNamesBeside(volume);
+  try
+  {
+    for (const LabelName& named :
+      names.empty() ? std::vector<LabelName>() : ReadLabelNames(names, true))
+    {
+      if (named.Label != 0) // the outside
+      {
+        Name(named, labels.emplace_back(LabelLook{ named.Label, ColorOfLabel(named.Label) }));
+      }
+    }
+  }
+  catch (const UserError&)
+  {
+  }
+  return labels;
+}
+
+// All labels but 0, which is the outside. None if the samples can be no labels.
+std::vector<int> LabelsOf(const Volume& volume)
+{
+  constexpr std::size_t most = 32767; // that the mapper draws
+  std::set<int> found;
+  for (vtkDataArray* array :
+    AreWholeNumbers(volume) ? ShownArrays(volume) : std::vector<vtkDataArray*>())
+  {
+    const std::vector<int> labels = WholeNumbersOf(array, most + 2);
+    found.insert(labels.begin(), labels.end());
+  }
+  found.erase(0);
+  return found.size() > most ? std::vector<int>() : std::vector<int>(found.begin(), found.end());
+}
+
 bool AreSame(const std::vector<Marker>& one, const std::vector<Marker>& other)
 {
   return std::equal(one.begin(), one.end(), other.begin(), other.end(),
@@ -124,6 +175,11 @@ void Model::Load(Request& request, const Progress& progress)
       std::to_string(wanted.Component) + "; choose a smaller one.");
   }
   request.Samples = CountSamples(volume, wanted.Component);
+  request.Labels = LabelsOf(volume);
+  if (!request.IsSameFile && wanted.Settings.Labels.empty())
+  {
+    request.Named = LabelsNamedBeside(wanted.Source.Path);
+  }
   if (request.KeepsSurfaces && wanted.Isovalue)
   {
     const std::array<double, 2>& range = request.Samples.Range;
@@ -146,7 +202,15 @@ void Model::Adopt(Request& request)
   this->Samples = request.Samples;
   this->Current = request.Wanted;
   this->Ahead = {};
+  this->Labels = request.Labels;
   this->View.Show(this->Shown, this->Current.Component, this->Samples.Range, request.Mapper);
+  this->View.SetAreLabels(this->CanBeLabels());
+  if (!request.Named.empty() && this->CanBeLabels())
+  {
+    look.Labels = request.Named;
+    look.Values[Row::Drawing] =
+      request.Wanted.MaySuitFile ? Drawing::Labels : look.Values[Row::Drawing];
+  }
   if (!request.KeepsSurfaces)
   {
     look.Surfaces.resize(request.IsSameFile ? 1 : std::max(look.Surfaces.size(), std::size_t{ 1 }));
@@ -248,6 +312,10 @@ Look Model::Fitted(Look look) const
   {
     look.Clip = look.Values[Row::Clipping] != 0 ? this->View.MiddlePlane() : Plane{};
   }
+  if (this->CanBeLabels() && look.Choice(Row::Drawing) == Drawing::Labels)
+  {
+    look.Labels = this->LabelsFor(look.Labels);
+  }
   for (std::size_t row = Row::Shading; row < Row::Count; ++row)
   {
     const auto [least, most] = this->RangeOf(AllSettings()[row]);
@@ -259,6 +327,44 @@ Look Model::Fitted(Look look) const
     look.Values[to] = std::max(look.Values[to - 1], look.Values[to]);
   }
   return look;
+}
+
+// Those that are known, and the data's, with colours of their own.
+std::vector<LabelLook> Model::LabelsFor(std::vector<LabelLook> labels) const
+{
+  const auto isBefore = [](const LabelLook& a, const LabelLook& b) { return a.Label < b.Label; };
+  std::stable_sort(labels.begin(), labels.end(), isBefore);
+  const std::size_t known = labels.size();
+  for (const int label : this->Labels)
+  {
+    const auto end = labels.begin() + static_cast<std::ptrdiff_t>(known);
+    const LabelLook made{ label, ColorOfLabel(label) };
+    if (!std::binary_search(labels.begin(), end, made, isBefore))
+    {
+      labels.push_back(made);
+    }
+  }
+  std::inplace_merge(
+    labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(known), labels.end(), isBefore);
+  for (LabelLook& label : labels)
+  {
+    label.Opacity = std::isfinite(label.Opacity) ? std::clamp(label.Opacity, 0.0, 1.0) : 1.0;
+  }
+  return labels;
+}
+
+// What the file does not tell stays.
+void Model::NameLabels(Look& look, const std::string& path)
+{
+  for (const LabelName& named : ReadLabelNames(path))
+  {
+    const auto same = std::find_if(look.Labels.begin(), look.Labels.end(),
+      [&](const LabelLook& label) { return label.Label == named.Label; });
+    if (same != look.Labels.end())
+    {
+      Name(named, *same);
+    }
+  }
 }
 
 void Model::SetSettings(const Look& look, bool isShown)
@@ -446,6 +552,6 @@ std::vector<double> Model::PresentSight()
 bool Model::WantsIsomapAhead()
 {
   const auto& values = this->Settings().Values;
-  return this->IsOpen() && this->DrawsSurfaces() && values[Row::Ahead] != 0 &&
+  return this->IsOpen() && this->HasIsovalues() && values[Row::Ahead] != 0 &&
     values[Row::Isomap] != 0 && this->Ahead != this->PresentSight();
 }

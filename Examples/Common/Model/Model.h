@@ -13,11 +13,13 @@
 struct Request
 {
   Session Wanted;
-  bool IsSameFile = false;         // view and mapper stay
-  bool KeepsSurfaces = false;      // as they fit into the new values
-  Volume Data = {};                // if it is there already, it is not read
-  Histogram Samples = {};          // all that follows is
-  VolumeView::Mapping Mapper = {}; // may be null
+  bool IsSameFile = false;      // view and mapper stay
+  bool KeepsSurfaces = false;   // as they fit into the new values
+  Volume Data = {};             // if it is there already, it is not read
+  Histogram Samples = {};       // all that follows is
+  std::vector<int> Labels = {}; // whole numbers of the samples, ascending, if they may be labels
+  std::vector<LabelLook> Named = {}; // labels that a file beside the volume tells
+  VolumeView::Mapping Mapper = {};   // may be null
 };
 
 // What is shown, and what can be done with it. It knows nothing of windows and widgets.
@@ -55,11 +57,16 @@ public:
   std::array<double, 2> RangeOf(const Setting& number) const;
   bool DrawsMesh() const { return this->View.IsMesh(); }
   bool DrawsImage() const { return !this->View.IsMesh(); }
-  bool Blends() const
+  bool CanBeLabels() const { return !this->Labels.empty(); }
+  // Labels that the data have, ascending, but for 0, which is outside of all.
+  const std::vector<int>& LabelsOfData() const { return this->Labels; }
+  bool DrawsLabels() const
   {
-    return this->DrawsImage() && this->Settings().Choice(Row::Drawing) != Drawing::Surfaces;
+    return this->CanBeLabels() && this->Settings().Choice(Row::Drawing) == Drawing::Labels;
   }
-  bool DrawsSurfaces() const { return !this->Blends(); }
+  bool Blends() const { return this->DrawsImage() && this->Settings().Blends(); }
+  bool DrawsSurfaces() const { return !this->Blends(); } // of isovalues or of labels
+  bool HasIsovalues() const { return this->DrawsSurfaces() && !this->DrawsLabels(); }
   // Projections show one value of a ray, in grey.
   bool Projects() const { return this->Blends() && this->Settings().IsProjection(); }
   bool AddsUp() const
@@ -67,7 +74,7 @@ public:
     return this->Blends() && this->Settings().Choice(Row::Drawing) >= Drawing::Average;
   }
   bool HasNodes() const { return this->Blends() && !this->Projects(); }
-  bool HasOpacities() const { return !this->Projects(); }
+  bool HasMarkers() const { return !this->Projects() && !this->DrawsLabels(); }
   bool CanShowCut() const { return this->View.CanShowCut(); }
   bool HasGreys() const
   {
@@ -100,6 +107,9 @@ public:
   void SetChoice(Look& look, std::size_t choice, int word) const;
   void ForgetPreset(Look& look) const; // if its nodes were changed otherwise
 
+  // Names and looks of labels as a file tells them, in a look. Throws UserError.
+  static void NameLabels(Look& look, const std::string& path);
+
   void ResetView();
   void LookFrom(const std::string& from); // "+z": an axis
   void Save(const std::string& path);     // a session; throws UserError
@@ -115,11 +125,13 @@ private:
   std::vector<double> PresentSight();
   Look Fitted(Look look) const;
   std::vector<Marker> NodesOf(const char* preset) const;
+  std::vector<LabelLook> LabelsFor(std::vector<LabelLook> labels) const;
 
   std::string From, Up;
   Session Current;
   Volume Shown;
   Histogram Samples;
+  std::vector<int> Labels;   // none if the samples can be no labels
   std::vector<double> Ahead; // the sight whose isomap was built, or stopped
 };
 

@@ -125,25 +125,29 @@ public:
       (this->Take(values), ...);
     }
   }
-  // A row of numbers each, with a semicolon between.
   void Take(std::vector<Marker>& markers, bool areSurfaces)
   {
-    std::string rows;
-    for (Marker& marker : markers)
-    {
-      Line row;
-      row.Take(marker, areSurfaces);
-      rows += (rows.empty() ? "" : " ; ") + row.Text.str();
-    }
-    this->Take(rows);
-    markers.resize(this->IsRead ? 0 : markers.size());
-    std::istringstream parts(this->IsRead ? rows : "");
-    for (std::string part; std::getline(parts, part, ';');)
-    {
-      Line row(part);
-      row.Take(markers.emplace_back(), areSurfaces);
-      row.End();
-    }
+    this->TakeRows(markers, [=](Line& row, Marker& marker) { row.Take(marker, areSurfaces); });
+  }
+  void Take(std::vector<LabelLook>& labels)
+  {
+    this->TakeRows(labels,
+      [](Line& row, LabelLook& label)
+      {
+        double isVisible = label.IsVisible ? 1.0 : 0.0;
+        row.Take(label.Label, INT_MIN, INT_MAX);
+        row.Take(label.Opacity);
+        row.Take(isVisible);
+        row.Take(label.Color);
+        label.IsVisible = isVisible != 0.0;
+        std::replace(label.Name.begin(), label.Name.end(), ';', ',');
+        if (!row.IsRead)
+        {
+          row.Text << ' ';
+        }
+        row.Take(label.Name);
+        label.Name = Trimmed(label.Name);
+      });
   }
 
   void End() { Expect(!this->HasMore()); }
@@ -151,6 +155,27 @@ public:
   const bool IsRead = false;
 
 private:
+  // A row of words each, with a semicolon between.
+  template <typename Item, typename TakeItem>
+  void TakeRows(std::vector<Item>& items, const TakeItem& take)
+  {
+    std::string rows;
+    for (Item& item : items)
+    {
+      Line row;
+      take(row, item);
+      rows += (rows.empty() ? "" : " ; ") + row.Text.str();
+    }
+    this->Take(rows);
+    items.resize(this->IsRead ? 0 : items.size());
+    std::istringstream parts(this->IsRead ? rows : "");
+    for (std::string part; std::getline(parts, part, ';');)
+    {
+      Line row(part);
+      take(row, items.emplace_back());
+      row.End();
+    }
+  }
   bool HasMore() { return !(this->Text >> std::ws).eof(); }
   void Take(Marker& marker, bool isSurface)
   {
@@ -219,6 +244,7 @@ std::vector<Field> FieldsOf(Session& session)
     { "surfaces", [&](Line& line) { line.Take(look.Surfaces, true); } },
     { "opacity", [&](Line& line) { line.Take(look.Nodes, false); } },
     { "greys", [&](Line& line) { line.Take(look.Greys, false); } },
+    { "labels", [&](Line& line) { line.Take(look.Labels); } },
     { "clip",
       [&](Line& line)
       { line.TakeIf(look.Values[Row::Clipping], look.Clip.Origin, look.Clip.Normal); } },

@@ -24,6 +24,7 @@ struct Session
   int Component = 0;              // of the array; -1: the length of its vectors
   std::optional<double> Isovalue; // of the first surface; none: chosen from the histogram
   bool HasCamera = false;         // else all of the volume is seen
+  bool MaySuitFile = false; // nobody has chosen how to draw: labels, if a file tells their names
   CameraState Camera;
   Look Settings;
 };

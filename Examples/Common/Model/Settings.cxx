@@ -5,9 +5,11 @@
 #include "Model/Model.h"
 #include "View/Appearance.h"
 
+#include <vtkMath.h>
 #include <vtkTemporalCoherencePresets.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -48,11 +50,11 @@ std::vector<Setting> MakeTable()
   const std::vector<const char*> onOff = { "off", "on" };
   return {
     { "palette", "Colours", "colours over the values", "Surfaces", 'P', PaletteNames(),
-      &Model::HasOpacities },
+      &Model::HasMarkers },
     { "material", "Material", "material: matt or glossy", "Light", 'M', MaterialNames() },
     { "light", "Light", "light: where it comes from", "Light", 'L', LightNames() },
     { "surface", "Surface", "open surface or capped solid", "Surfaces", 'V', { "open", "solid" },
-      &Model::DrawsSurfaces },
+      &Model::HasIsovalues },
     { "accuracy", "Accuracy", "accuracy of pictures as the view moves", "Re-use", 'A',
       { "exact", "paper" } },
     { "image-cache", "Re-use pictures", "start from earlier pictures where the accuracy lets it",
@@ -69,8 +71,9 @@ std::vector<Setting> MakeTable()
     { "film", "Recording", "recordings as pictures or as a film", "Scene", 'F', { "png", "ogv" } },
     { "gradients", "Mesh normals", "normals of meshes: those of cells, with facets, or smooth",
       "Light", 'G', { "facets", "smooth" }, &Model::DrawsMesh, 1.0, 0.0 },
-    { "drawing", "Draw", "surfaces, or the blended volume", "Surfaces", 'D',
-      { "surfaces", "composite", "maximum", "minimum", "average", "additive" },
+    { "drawing", "Draw", "surfaces, the blended volume, or the labels of a segmentation",
+      "Surfaces", 'D',
+      { "surfaces", "composite", "maximum", "minimum", "average", "additive", "labels" },
       &Model::DrawsImage },
     { "clipping", "Clip by a plane", "clip by a plane: drag it, or its arrow, in the view", "Clip",
       'T', onOff },
@@ -111,6 +114,8 @@ std::vector<Setting> MakeTable()
       {}, { 1e-3, 1e3 }, {}, Row::Count, true },
     { "shift", "Shift", "moves colours and opacities over the values", "Surfaces", '\0', {},
       &Model::HasNodes },
+    { "label-radius", "Smoothness", "of labels: how far around they are smoothed, in samples",
+      "Labels", '\0', {}, &Model::DrawsLabels, 2.5, {}, { 0.0, 8.0 } },
     SideOfBox("X from", -1e300, 0),
     SideOfBox("X to", 1e300, 0),
     SideOfBox("Y from", -1e300, 1),
@@ -118,7 +123,7 @@ std::vector<Setting> MakeTable()
     SideOfBox("Z from", -1e300, 2),
     SideOfBox("Z to", 1e300, 2),
     { "", "Opacity", "of the selected surface: less is see-through", "Surfaces", '\0', {},
-      &Model::HasOpacities },
+      &Model::HasMarkers },
     { "", "Window", "how many values lie from black to white", "Surfaces", '\0', {},
       &Model::HasGreys },
     { "", "Level", "the value of middle grey", "Surfaces", '\0', {}, &Model::HasGreys },
@@ -143,6 +148,16 @@ Rgb ContrastOf(std::size_t surface)
   constexpr std::array<Rgb, 4> contrasts = { { { 0.96, 0.90, 0.72 }, { 0.36, 0.66, 0.92 },
     { 0.92, 0.42, 0.36 }, { 0.48, 0.80, 0.50 } } };
   return contrasts[(surface + contrasts.size() - 1) % contrasts.size()];
+}
+
+Rgb ColorOfLabel(int label)
+{
+  constexpr double golden = 0.618033988749895; // hues never come close to one another soon
+  const double turns = golden * label;
+  Rgb color;
+  vtkMath::HSVToRGB(
+    turns - std::floor(turns), label % 2 == 0 ? 0.45 : 0.7, 0.95, &color[0], &color[1], &color[2]);
+  return color;
 }
 
 Look::Look()

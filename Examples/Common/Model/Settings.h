@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 using Point = std::array<double, 3>;
@@ -52,7 +53,8 @@ struct Row
     Density,
     Brightness, // of averages and sums; 0: it is to be fitted
     Shift,      // of the nodes, since the preset was chosen
-    Crop,       // a box along the data's own axes
+    LabelRadius,
+    Crop, // a box along the data's own axes
     Count = Crop + 6,
     Opacity = Count, // is that of the selected marker
     Window,          // these two are those of the greys
@@ -70,7 +72,8 @@ struct Drawing
     Maximum,
     Minimum,
     Average,
-    Additive
+    Additive,
+    Labels
   };
 };
 struct OnCut
@@ -94,10 +97,30 @@ struct Marker
   std::optional<Rgb> Color = {}; // none: the palette's
 };
 
+// How a label of a label map is drawn.
+struct LabelLook
+{
+  int Label = 0;
+  Rgb Color = {};
+  double Opacity = 1.0;
+  bool IsVisible = true;
+  std::string Name = {}; // printable; may be empty
+
+  bool operator==(const LabelLook& other) const
+  {
+    return this->Label == other.Label && this->Color == other.Color &&
+      this->Opacity == other.Opacity && this->IsVisible == other.IsVisible &&
+      this->Name == other.Name;
+  }
+};
+
 constexpr double SeeThrough = 0.35; // opacity of a surface around another
 
 // The colour of a surface beside others, from the second on.
 Rgb ContrastOf(std::size_t surface);
+
+// A colour for a label that no file tells; labels that follow one another differ much.
+Rgb ColorOfLabel(int label);
 
 struct Plane // in the world; what the normal points to is seen
 {
@@ -113,6 +136,12 @@ struct Look
   int Choice(Row::Which what) const { return static_cast<int>(this->Values[what]); }
   const char* TextOf(Row::Which choice) const;
 
+  // What has no surfaces.
+  bool Blends() const
+  {
+    const int way = this->Choice(Row::Drawing);
+    return way != Drawing::Surfaces && way != Drawing::Labels;
+  }
   // Maximum or minimum: one value of a ray is shown, in grey.
   bool IsProjection() const;
 
@@ -120,6 +149,7 @@ struct Look
   std::vector<Marker> Surfaces;          // one at least, once a volume is open
   std::vector<Marker> Nodes;             // in ascending order of values; two at least
   std::vector<Marker> Greys;             // of projections: the values of black and of white
+  std::vector<LabelLook> Labels;         // of the data, ascending, once they were drawn
   Plane Clip;
 };
 

@@ -15,9 +15,12 @@
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkImageShrink3D.h>
+#include <vtkIntArray.h>
+#include <vtkLookupTable.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkStringArray.h>
 #include <vtkTemporalCoherencePresets.h>
 #include <vtkVector.h>
 #include <vtkVolumeProperty.h>
@@ -215,6 +218,24 @@ void VolumeView::SetGreys(const std::vector<Marker>& ends)
     this->Actor->GetProperty(), window, ends[0].Value + 0.5 * window);
 }
 
+void VolumeView::SetLabels(const Look& look)
+{
+  vtkNew<vtkLookupTable> table;
+  table->IndexedLookupOn();
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(look.Labels.size()));
+  vtkNew<vtkIntArray> labels;
+  vtkNew<vtkStringArray> names;
+  for (const LabelLook& label : look.Labels)
+  {
+    table->SetTableValue(labels->InsertNextValue(label.Label), label.Color[0], label.Color[1],
+      label.Color[2], label.IsVisible ? label.Opacity : 0.0);
+    names->InsertNextValue(label.Name);
+  }
+  table->SetAnnotations(labels, names);
+  this->Mapper->SetLabelTable(table);
+  this->Mapper->SetLabelRadius(look.Values[Row::LabelRadius]);
+}
+
 // What is at the focal point stays as large as it is.
 void VolumeView::SetProjection(bool isParallel)
 {
@@ -259,8 +280,9 @@ void VolumeView::Apply(Look& look)
   shading[2] = property->GetSpecular();
   shading[3] = property->GetSpecularPower();
   SetLight(this->Renderer, look.Choice(Row::Light));
-  const bool areSurfaces = this->HasCells || look.Choice(Row::Drawing) == Drawing::Surfaces;
+  const bool areSurfaces = this->HasCells || !look.Blends();
   const int drawing = areSurfaces ? Drawing::Surfaces : look.Choice(Row::Drawing);
+  const bool areLabels = look.Choice(Row::Drawing) == Drawing::Labels && this->AreLabels;
   this->Mapper->SetBlendMode(BlendModes[static_cast<std::size_t>(drawing)]);
   // Rays of blended volumes take long: fewer of them while something is dragged.
   this->Mapper->SetAutoAdjustSampleDistances(!areSurfaces);
@@ -274,7 +296,13 @@ void VolumeView::Apply(Look& look)
     this->SetMarkers(areSurfaces ? look.Surfaces : look.Nodes);
   }
   this->SetDensity(look, drawing);
-  this->Mapper->SetSurfaceMode(look.Choice(Row::Surface));
+  this->Mapper->SetSurfaceMode(
+    areLabels ? vtkTemporalCoherenceVolumeMapper::LABELS : look.Choice(Row::Surface));
+  this->Labels = areLabels ? look.Labels : std::vector<LabelLook>();
+  if (areLabels)
+  {
+    this->SetLabels(look);
+  }
   this->Mapper->SetSmoothMeshNormals(look.Values[Row::Gradients] != 0);
   this->Mapper->SetAmbientOcclusion(areSurfaces && look.Values[Row::Occlusion] != 0);
   this->Mapper->SetAmbientOcclusionRadius(look.Values[Row::OcclusionRadius] * this->LongestEdge());
@@ -525,7 +553,13 @@ std::optional<VolumeView::Seen> VolumeView::SeenAt(int x, int y)
   { return vtkMath::Distance2BetweenPoints(of.Place.data(), eye); };
   if (isHit && (!seen || distance(surface) < distance(*seen)))
   {
-    surface.Value = this->Actor->GetProperty()->GetIsoSurfaceValues()->GetValue(index);
+    surface.Value = this->Labels.empty()
+      ? this->Actor->GetProperty()->GetIsoSurfaceValues()->GetValue(index)
+      : index;
+    for (const LabelLook& label : this->Labels)
+    {
+      surface.Label = label.Label == index ? label.Name : surface.Label;
+    }
     return surface;
   }
   return seen;

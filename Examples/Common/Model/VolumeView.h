@@ -37,6 +37,7 @@ public:
   // By the mapper that there is, or by a new one.
   void Show(
     const Volume& volume, int component, const std::array<double, 2>& range, const Mapping& by);
+  void SetAreLabels(bool areLabels) { this->AreLabels = areLabels; } // if it is asked for
   bool CanShowCut() const { return this->Beside.CanShowCut(); }
   bool HasAnnotations() const { return this->Beside.HasAny(); }
   void Apply(Look& look); // tells the shading that it has, if that is the material's
@@ -69,6 +70,7 @@ public:
     Point Place = {};
     double Value = 0.0;
     bool IsCut = false; // a sample on the clipping plane; else a surface
+    std::string Label;  // the name of a label that is seen; else empty
   };
   std::optional<Seen> SeenAt(int x, int y);
 
@@ -92,6 +94,7 @@ private:
   void SetDensity(const Look& look, int drawing);
   void SetMarkers(const std::vector<Marker>& markers);
   void SetGreys(const std::vector<Marker>& ends);
+  void SetLabels(const Look& look);
   std::optional<Seen> CutAt(int x, int y);
   vtkSmartPointer<vtkImageData> Finished(
     vtkSmartPointer<vtkImageData> frame, bool hasBackground, int raysOfSide);
@@ -102,6 +105,8 @@ private:
   std::array<double, 2> Range = { 0.0, 1.0 };
   Box Bounds = {}, BoundsInWorld = {};
   bool HasCells = false;
+  bool AreLabels = false;            // samples may be labels
+  std::vector<LabelLook> Labels;     // that are drawn; else none
   std::array<double, 3> Ground = {}; // the background, of 255
   Annotations Beside{ this->Renderer };
 };

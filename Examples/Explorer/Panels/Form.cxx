@@ -141,7 +141,7 @@ QWidget* Form::NewSlider(const Setting& setting)
   return slider;
 }
 
-void Form::AddButtons(const QList<QAction*>& actions)
+QWidget* Form::AddButtons(const QList<QAction*>& actions)
 {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
@@ -155,6 +155,7 @@ void Form::AddButtons(const QList<QAction*>& actions)
     layout->addWidget(button);
   }
   this->Add(row);
+  return row;
 }
 
 QAction* NewAction(

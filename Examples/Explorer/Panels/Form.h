@@ -19,7 +19,7 @@ public:
 
   void AddSetting(const Setting& setting);
   void AddSettings(const std::string& panel);
-  void AddButtons(const QList<QAction*>& actions); // side by side
+  QWidget* AddButtons(const QList<QAction*>& actions); // side by side
   // Over the whole width where there is no label.
   void Add(QWidget* widget, const QString& help = "", const QString& label = "");
   void OnChange(const std::function<void()>& refresh); // soon after, and not too often

@@ -172,7 +172,7 @@ void HistogramPanel::MakeBars()
 void HistogramPanel::DrawBars(QPainter& painter) const
 {
   const QRect all = this->rect();
-  double begin = this->Data.DrawsSurfaces() ? all.width() : 0.0;
+  double begin = this->Data.HasIsovalues() ? all.width() : 0.0;
   for (const Marker& marker : this->Bench.Markers())
   {
     begin = std::min(begin, this->PlaceOf(marker).x());
@@ -247,7 +247,10 @@ void HistogramPanel::paintEvent(QPaintEvent* event)
   painter.setRenderHint(QPainter::Antialiasing);
   const int line = this->fontMetrics().height();
   painter.setClipRect(this->Plot().adjusted(-line, -2 * line, line, line));
-  this->DrawMarkers(painter);
+  if (!this->Data.DrawsLabels())
+  {
+    this->DrawMarkers(painter);
+  }
   painter.setClipping(false);
   const QRect foot = this->rect().adjusted(0, this->Plot().bottom() + 2, 0, 0);
   const auto valueAt = [&](double part)
@@ -294,7 +297,7 @@ void HistogramPanel::MoveBy(double steps, double opacity)
 
 void HistogramPanel::mousePressEvent(QMouseEvent* event)
 {
-  if (!this->Data.IsOpen())
+  if (!this->CanEdit())
   {
     return;
   }
@@ -314,7 +317,7 @@ void HistogramPanel::mousePressEvent(QMouseEvent* event)
 
 void HistogramPanel::mouseMoveEvent(QMouseEvent* event)
 {
-  if (event->buttons() & Qt::LeftButton && this->Data.IsOpen())
+  if (event->buttons() & Qt::LeftButton && this->CanEdit())
   {
     this->DragTo(event->pos());
     // At once: the window is drawn once, with this frame. Moves meanwhile become one.
@@ -350,7 +353,7 @@ void HistogramPanel::wheelEvent(QWheelEvent* event)
   {
     this->Move(-0.1 * clicks * (this->Seen[1] - this->Seen[0]));
   }
-  else
+  else if (this->CanEdit())
   {
     this->MoveBy(clicks, 0.0);
   }
@@ -361,7 +364,7 @@ void HistogramPanel::keyPressEvent(QKeyEvent* event)
   const double many = event->modifiers() & Qt::ShiftModifier ? 10.0 : 1.0;
   const bool isSurface = this->Data.IsOpen() && this->Data.DrawsSurfaces();
   const std::size_t count = this->Bench.Markers().size();
-  switch (this->Data.IsOpen() ? event->key() : static_cast<int>(Qt::Key_unknown))
+  switch (this->CanEdit() ? event->key() : static_cast<int>(Qt::Key_unknown))
   {
     case Qt::Key_Left:
       return this->MoveBy(-many, 0.0);

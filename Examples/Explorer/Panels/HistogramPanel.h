@@ -3,14 +3,13 @@
 #ifndef HistogramPanel_h
 #define HistogramPanel_h
 
-#include "Model/Settings.h"
+#include "Model/Model.h"
 
 #include <QPixmap>
 #include <QWidget>
 
 #include <array>
 
-class Model;
 class Workbench;
 
 // The histogram. Over it lie the markers, surfaces or nodes of the opacity of a blended volume:
@@ -37,6 +36,7 @@ private:
   QRect Plot() const;
   double XOf(double share) const;
   double ShareAt(double x) const;
+  bool CanEdit() const { return this->Data.IsOpen() && !this->Data.DrawsLabels(); }
   void Move(double share); // what is seen of the values
   QPointF PlaceOf(const Marker& marker) const;
   Marker MarkerAt(const QPoint& place) const;

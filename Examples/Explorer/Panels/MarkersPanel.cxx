@@ -60,6 +60,7 @@ public:
       return; // what is typed comes first
     }
     const QSignalBlocker blocker(this);
+    this->setVisible(!this->Bench.Data.DrawsLabels());
     const bool areSurfaces = this->Bench.Data.DrawsSurfaces();
     this->setHorizontalHeaderLabels(
       { areSurfaces ? tr("Isovalue") : tr("Value"), tr("Colour"), tr("Opacity") });
@@ -140,7 +141,7 @@ private:
 
 // What the menu has for surfaces, where they are seen.
 QWidget* MakeMarkersPanel(
-  Workbench& bench, const QList<QAction*>& buttons, const QList<QAction*>& colors)
+  Workbench& bench, const QList<QAction*>& buttons, const QList<QAction*>& colors, QAction* names)
 {
   auto* form = new Form(bench);
   auto* table = new MarkerTable(bench, colors);
@@ -151,7 +152,9 @@ QWidget* MakeMarkersPanel(
   form->AddSetting(AllSettings()[Row::Level]);
   form->Add(table);
   form->OnChange([table] { table->Refresh(); });
-  form->AddButtons(buttons);
+  QWidget* row = form->AddButtons(buttons);
+  form->OnChange([=, &bench] { row->setVisible(!bench.Data.DrawsLabels()); });
+  AddLabels(*form, bench, names);
   form->AddSetting(AllSettings()[Row::Opacity]);
   form->AddSetting(AllSettings()[Row::Density]);
   form->AddSetting(AllSettings()[Row::Brightness]);

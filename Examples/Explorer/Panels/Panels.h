@@ -5,14 +5,17 @@
 
 #include <QList>
 
+class Form;
 class QAction;
 class QWidget;
 class Workbench;
 
 // The parts of the window beside the view. Each shows the model's state when that changes.
-// buttons: beside the table; colors: what a double click on a colour does, and more.
+// buttons: beside the table; colors: what a double click on a colour does, and more; names: asks
+// for a file with names of labels.
 QWidget* MakeMarkersPanel(
-  Workbench& bench, const QList<QAction*>& buttons, const QList<QAction*>& colors);
+  Workbench& bench, const QList<QAction*>& buttons, const QList<QAction*>& colors, QAction* names);
+void AddLabels(Form& form, Workbench& bench, QAction* names); // a part of that panel
 QWidget* MakeLightPanel(Workbench& bench);
 QWidget* MakeClippingPanel(Workbench& bench);
 QWidget* MakeScenePanel(Workbench& bench); // what is beside the volume, and pictures

@@ -21,8 +21,9 @@ struct Command
   enum class Need
   {
     Nothing,
-    Data, // that are open, and a view that may change
-    Surfaces,
+    Data,     // that are open, and a view that may change
+    Surfaces, // of isovalues
+    Labels,
     Steps,
     Addable,   // markers of which there may be more
     Removable, // a marker that can be removed
@@ -47,6 +48,7 @@ void AskColor(QMainWindow& window, Workbench& bench); // of the selected marker
 void AskPicture(QMainWindow& window, Workbench& bench);
 void AskTriangles(QMainWindow& window, Workbench& bench);
 void AskFilm(QMainWindow& window, Workbench& bench);
+void AskLabelNames(QMainWindow& window, Workbench& bench);
 
 // How the samples of a file lie that tells nothing of it; none: the dialog was left.
 std::optional<RawLayout> AskRaw(QWidget& window, const QString& path);

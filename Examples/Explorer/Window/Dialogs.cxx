@@ -90,6 +90,17 @@ void AskOpenFolder(QMainWindow& window, Workbench& bench)
     &window, QObject::tr("Open a folder of DICOM files, or of pictures"), Directory(bench)));
 }
 
+void AskLabelNames(QMainWindow& window, Workbench& bench)
+{
+  const QString name = QFileDialog::getOpenFileName(&window, QObject::tr("Names of labels"),
+    Directory(bench), QObject::tr("Names of labels (*.txt *.label *.ctbl *.json);;All files (*)"));
+  if (!name.isEmpty())
+  {
+    bench.EditOnce(QObject::tr("labels"),
+      [&](Look& look) { Model::NameLabels(look, QFile::encodeName(name).toStdString()); });
+  }
+}
+
 void AskSaveSession(QMainWindow& window, Workbench& bench)
 {
   const QString path = QFileDialog::getSaveFileName(&window, QObject::tr("Save the session"),

@@ -335,7 +335,8 @@ void MainWindow::MakeDocks()
   const QList<QAction*> buttons = { this->Actions["Add Surface"], this->Actions["Remove Surface"] };
   const QList<QAction*> colors = { this->Actions["Colour..."], this->Actions["Colour of Palette"] };
   this->Samples->addActions(buttons + colors);
-  QWidget* markers = MakeMarkersPanel(this->Bench, buttons, colors);
+  QWidget* markers =
+    MakeMarkersPanel(this->Bench, buttons, colors, this->Actions["Label Names..."]);
   QDockWidget* surfaces = this->AddDock(right, tr("Surfaces"), markers, false);
   QDockWidget* clip = this->AddDock(right, tr("Clip"), MakeClippingPanel(this->Bench), false);
   QDockWidget* light = this->AddDock(right, tr("Light"), MakeLightPanel(this->Bench), false);
@@ -420,9 +421,11 @@ void MainWindow::ShowUnderPointer()
     height - 1 - static_cast<int>(pixels * this->Pointer.y()));
   this->UnderPointer->setText(!seen
       ? ""
-      : (seen->IsCut ? tr("%1 at %2, %3, %4") : tr("Surface %1 at %2, %3, %4"))
-          .arg(Short(seen->Value), Short(seen->Place[0]), Short(seen->Place[1]),
-            Short(seen->Place[2])));
+      : (seen->IsCut                         ? tr("%1 at %2, %3, %4")
+            : this->Bench.Data.DrawsLabels() ? tr("Label %1 at %2, %3, %4")
+                                             : tr("Surface %1 at %2, %3, %4"))
+          .arg((Short(seen->Value) + ' ' + QString::fromStdString(seen->Label)).trimmed(),
+            Short(seen->Place[0]), Short(seen->Place[1]), Short(seen->Place[2])));
 }
 
 void MainWindow::ShowRecent(QMenu* menu)
@@ -468,10 +471,12 @@ void MainWindow::ShowState()
     {
       this->Actions[QString(command.Name).remove('&')]->setEnabled(command.Needs == Need::Nothing ||
         (command.Needs == Need::Data && mayChange) ||
-        (command.Needs == Need::Surfaces && mayChange && this->Bench.Data.DrawsSurfaces()) ||
+        (command.Needs == Need::Surfaces && mayChange && this->Bench.Data.HasIsovalues()) ||
+        (command.Needs == Need::Labels && mayChange && this->Bench.Data.DrawsLabels()) ||
         (command.Needs == Need::Steps && isOpen && this->Bench.Data.Data().TimeSteps > 1) ||
-        (command.Needs == Need::Addable && mayChange && !this->Bench.Data.Projects()) ||
-        (command.Needs == Need::Removable && isOpen && this->Bench.CanRemove()));
+        (command.Needs == Need::Addable && mayChange && this->Bench.Data.HasMarkers()) ||
+        (command.Needs == Need::Removable && isOpen && this->Bench.Data.HasMarkers() &&
+          this->Bench.CanRemove()));
     }
   }
   const bool areSurfaces = !isOpen || this->Bench.Data.DrawsSurfaces();

@@ -78,6 +78,7 @@ Session FirstSession(const Options& options)
 {
   Session session;
   session.Source = options.Source;
+  session.MaySuitFile = !options.Isovalue && !options.ThresholdMode;
   session = options.Session.empty() ? session : ReadSession(options.Session);
   session.Isovalue = options.Isovalue ? options.Isovalue : session.Isovalue;
   if (options.ThresholdMode)

@@ -410,6 +410,11 @@ void Workbench::OpenPath(const QString& name)
   session.Source.Path = path;
   const auto& now = this->Data.Settings().Values;
   std::copy(now.begin(), now.begin() + Row::Density, session.Settings.Values.begin());
+  if (session.Settings.Choice(Row::Drawing) == Drawing::Labels)
+  {
+    session.Settings.Values[Row::Drawing] = Drawing::Surfaces; // the next file may be a scan
+  }
+  session.MaySuitFile = session.Settings.Choice(Row::Drawing) == Drawing::Surfaces;
   if (this->OnRaw && name.endsWith(".raw", Qt::CaseInsensitive))
   {
     session.Source.Raw = this->OnRaw(name);

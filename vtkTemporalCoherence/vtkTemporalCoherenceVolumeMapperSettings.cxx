@@ -34,9 +34,15 @@ void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
       what << " >= " << low;
     }
     what << ", got " << value << "; it stays " << setting << '.';
-    this->ReportOnce(what.str());
+    // Errors of frames are compared with the last error of a frame, not with this one.
+    if (what.str() != this->LastSettingError)
+    {
+      this->LastSettingError = what.str();
+      vtkErrorWithObjectMacro(this->Self, << what.str());
+    }
     return;
   }
+  this->LastSettingError.clear();
   value = static_cast<T>(std::min(std::max(static_cast<double>(value), low), high));
   if (value != setting)
   {

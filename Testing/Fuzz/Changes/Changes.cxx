@@ -19,7 +19,7 @@ void Append(Kinds& kinds, const std::vector<ChangeKind>& group)
   }
 }
 
-Kinds MakeKinds(bool ofMeshes, bool ofManyLayers)
+Kinds MakeKinds(bool ofMeshes, bool ofManyLayers, bool ofLabels = false)
 {
   Kinds kinds;
   for (const auto* group : { &OfData(), &OfCamera(), &OfIsovalues(), &OfAppearance(), &OfLights(),
@@ -35,6 +35,10 @@ Kinds MakeKinds(bool ofMeshes, bool ofManyLayers)
   {
     Append(kinds, OfManyLayers());
   }
+  if (ofLabels)
+  {
+    Append(kinds, OfLabels());
+  }
   return kinds;
 }
 
@@ -42,8 +46,11 @@ Kinds MakeKinds(bool ofMeshes, bool ofManyLayers)
 const Kinds& KindsOf(const World& world)
 {
   static const Kinds ofLattices = MakeKinds(false, false), ofMeshes = MakeKinds(true, false),
-                     ofLarge = MakeKinds(true, true);
-  return world.IsLarge ? ofLarge : world.IsOfMeshes ? ofMeshes : ofLattices;
+                     ofLarge = MakeKinds(true, true), ofLabels = MakeKinds(false, false, true);
+  return world.IsLarge ? ofLarge
+    : world.IsOfMeshes ? ofMeshes
+    : world.IsOfLabels ? ofLabels
+                       : ofLattices;
 }
 
 }

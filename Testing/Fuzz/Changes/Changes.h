@@ -21,6 +21,7 @@ const std::vector<ChangeKind>& OfCamera();
 const std::vector<ChangeKind>& OfIsovalues();
 const std::vector<ChangeKind>& OfAppearance();
 const std::vector<ChangeKind>& OfLights();
+const std::vector<ChangeKind>& OfLabels();
 const std::vector<ChangeKind>& OfRegion();
 const std::vector<ChangeKind>& OfTransform();
 const std::vector<ChangeKind>& OfSettings();

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace Fuzz
@@ -96,6 +97,13 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   fresh->SetBlendMode(subject->GetBlendMode());
   fresh->SetAverageIPScalarRange(subject->GetAverageIPScalarRange());
   fresh->SetSurfaceMode(subject->GetSurfaceMode());
+  fresh->SetLabelTable(subject->GetLabelTable());
+  fresh->SetLabelRadius(subject->GetLabelRadius());
+  fresh->SetOutsideLabel(subject->GetOutsideLabel());
+  fresh->SetColorArrayName(subject->GetColorArrayName());
+  fresh->SetColorArrayOnCells(subject->GetColorArrayOnCells());
+  fresh->SetColorArrayComponent(subject->GetColorArrayComponent());
+  fresh->SetColorTable(subject->GetColorTable());
   fresh->SetShadows(subject->GetShadows());
   fresh->SetVectorMode(subject->GetVectorMode());
   fresh->SetVectorComponent(subject->GetVectorComponent());
@@ -305,7 +313,11 @@ void Oracle::Compare(const Picture& cold, Mapper* fresh)
   World& world = this->Of;
   Mapper* subject = world.Subject;
   const std::string route = subject->GetStatistics()->GetRouteAsString();
-  const int isovalues = world.Property()->GetIsoSurfaceValues()->GetNumberOfContours();
+  std::optional<int> isovalues;
+  if (subject->GetSurfaceMode() != Mapper::LABELS || this->Shown.IsBlended)
+  {
+    isovalues = world.Property()->GetIsoSurfaceValues()->GetNumberOfContours();
+  }
   for (const Picture* picture : { &cold, static_cast<const Picture*>(&this->Shown) })
   {
     const std::string nonsense =

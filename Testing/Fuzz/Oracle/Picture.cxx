@@ -93,8 +93,10 @@ vtkIdType Picture::CountHits() const
 bool Picture::IsHit(vtkIdType pixel) const
 {
   const unsigned char* color = DataOf<unsigned char>(*this, "Color") + 4 * pixel;
+  // Labels may be below 0, and a distance may be too large for a float.
   return this->IsBlended ? std::any_of(color, color + 4, [](unsigned char c) { return c > 0; })
-                         : DataOf<int>(*this, "IsovalueIndex")[pixel] >= 0;
+                         : DataOf<int>(*this, "IsovalueIndex")[pixel] != -1 ||
+      std::isfinite(DataOf<float>(*this, "Depth")[pixel]);
 }
 
 std::string Picture::Difference(const Picture& other, bool inColors, bool inNormals) const
@@ -133,7 +135,7 @@ vtkIdType Picture::CountDifferent(const Picture& other, double apart) const
   return different;
 }
 
-std::string Picture::Nonsense(int isovalues, bool isTame) const
+std::string Picture::Nonsense(std::optional<int> isovalues, bool isTame) const
 {
   const float* depths = DataOf<float>(*this, "Depth");
   const float* normals = DataOf<float>(*this, "Normals");
@@ -146,8 +148,9 @@ std::string Picture::Nonsense(int isovalues, bool isTame) const
     const unsigned char* c = colors + 4 * i;
     const bool isHit = this->IsHit(i);
     const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    const bool isIndex = indices[i] >= -1 && indices[i] < (this->IsBlended ? 0 : isovalues);
-    // A distance may be too large for a float.
+    const bool isIndex = !isovalues ||
+      (indices[i] >= -1 && indices[i] < (this->IsBlended ? 0 : *isovalues) &&
+        (this->IsBlended || isHit == (indices[i] >= 0)));
     const bool isDepth = !std::isnan(depths[i]) && (!std::isfinite(depths[i]) || isHit) &&
       (std::isfinite(depths[i]) || !isHit || !isTame);
     // Blended volumes have a normal where their gradient tells one.

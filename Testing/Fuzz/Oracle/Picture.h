@@ -7,6 +7,7 @@
 
 #include <vtkNew.h>
 
+#include <optional>
 #include <string>
 
 namespace Fuzz
@@ -39,8 +40,9 @@ struct Picture
   vtkIdType CountDifferent(const Picture& other, double apart) const;
 
   /// What no picture may hold, in words: numbers that are none, parts that contradict each other.
-  /// \param isTame no number of the scene was wild
-  std::string Nonsense(int isovalues, bool isTame) const;
+  /// \param isovalues how many there are; none: the places of labels may be any number
+  /// \param isTame    no number of the scene was wild
+  std::string Nonsense(std::optional<int> isovalues, bool isTame) const;
 
   vtkNew<vtkImageData> Frame; ///< with all arrays
   bool IsBlended = false;     ///< it was rendered in another blend mode than that of isosurfaces

@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
+#include <random>
 
 namespace Fuzz
 {
@@ -194,6 +196,33 @@ vtkSmartPointer<vtkImageData> MakeImage(World& world)
       Arrays::AddGhosts(world, image->GetCellData(), image->GetNumberOfCells());
     }
   }
+  return image;
+}
+
+vtkSmartPointer<vtkDataObject> MakeLabels(World& world)
+{
+  Bytes& from = world.From;
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(5 + from.Pick(16), 5 + from.Pick(16), 5 + from.Pick(16));
+  PlaceImage(world, image);
+  const int types[] = { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_ID_TYPE };
+  const auto labels =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(from.OneOf(types)));
+  labels->SetName("Scalars");
+  const double waves = from.Between(1.0, 9.0), noise = from.OneIn(3) ? 3.0 : 0.0;
+  std::mt19937 engine(static_cast<unsigned>(from.Next()));
+  for (const auto& [x, y, z] : Arrays::PlacesOf(image, false))
+  {
+    const double random = static_cast<double>(engine()) / 4294967296.0;
+    const double value = 3.0 + 3.0 * std::sin(waves * x) * std::cos(waves * y + z) + noise * random;
+    labels->InsertNextTuple1(std::clamp(std::floor(value), 0.0, 7.0));
+  }
+  image->GetPointData()->SetScalars(labels);
+  const auto other = Arrays::Make(world, Arrays::PlacesOf(image, false));
+  other->SetName("other");
+  image->GetPointData()->AddArray(other);
+  world.Low = 0.0;
+  world.High = 7.0;
   return image;
 }
 

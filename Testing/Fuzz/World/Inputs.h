@@ -15,6 +15,9 @@ namespace Inputs
 /// An image with samples on points or cells.
 vtkSmartPointer<vtkImageData> MakeImage(World& world);
 
+/// An image of a few labels from 0 on, with another array beside them.
+vtkSmartPointer<vtkDataObject> MakeLabels(World& world);
+
 /// A rectilinear grid, whose coordinates may be in disorder.
 vtkSmartPointer<vtkDataObject> MakeGrid(World& world);
 

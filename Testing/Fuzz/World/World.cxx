@@ -30,16 +30,21 @@ World::World(std::vector<std::uint8_t> bytes)
 {
   this->Subject->SetAntialiasingToOff();
   // Kept seeds begin with smaller numbers: their runs stay what they are.
+  constexpr int firstOfLabels = 128, endOfLabels = 140;
   constexpr int firstOfLayers = 144, firstOfMeshes = 160, firstOfLarge = 240;
   const int first = this->From.Pick(256);
   this->IsOfMeshes = first >= firstOfMeshes;
+  this->IsOfLabels = first >= firstOfLabels && first < endOfLabels;
   this->IsLarge = first >= firstOfLarge;
   this->About = this->IsOfMeshes ? static_cast<Theme>((first - firstOfMeshes) % 7)
     : first >= firstOfLayers     ? Theme::Layers
                                  : static_cast<Theme>(first % 6);
   const int wildness[] = { 0, 0, 40, 12, 4 };
   this->From.Wildness = this->About == Theme::Wrecks ? 6 : this->From.OneOf(wildness);
-  Story::Tell("theme ", static_cast<int>(this->About), this->IsOfMeshes ? " of meshes" : "",
+  Story::Tell("theme ", static_cast<int>(this->About),
+    this->IsOfMeshes     ? " of meshes"
+      : this->IsOfLabels ? " of labels"
+                         : "",
     ", wild once in ", this->From.Wildness);
   this->Volumes = { vtkSmartPointer<vtkVolume>::New(),
     vtkSmartPointer<vtkTemporalCoherenceVolume>::New() };
@@ -104,11 +109,19 @@ void World::MakeSane()
   this->IsTame = true;
   const bool isOfImages = this->From.Pick(4) != 0 || this->About == Theme::Sweep;
   vtkSmartPointer<vtkDataObject> data = this->IsOfMeshes ? Inputs::MakeMesh(*this)
+    : this->IsOfLabels                                   ? Inputs::MakeLabels(*this)
     : isOfImages ? vtkSmartPointer<vtkDataObject>(Inputs::MakeImage(*this))
                  : Inputs::MakeAny(*this);
   Inputs::Show(*this, data);
   Mapper* mapper = this->Subject;
   mapper->SetBlendModeToIsoSurface();
+  if (this->IsOfLabels)
+  {
+    mapper->SetSurfaceModeToLabels();
+    mapper->SetLabelTable(nullptr);
+    mapper->SetColorArrayName(nullptr);
+    mapper->SetMaskInput(nullptr);
+  }
   mapper->SetScalarModeToDefault();
   mapper->SetVectorMode(Mapper::DISABLED);
   mapper->CroppingOff();

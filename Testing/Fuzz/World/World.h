@@ -72,6 +72,7 @@ struct World
   Bytes From;
   Theme About = Theme::Anything;
   bool IsOfMeshes = false; ///< the input is a mesh, mostly
+  bool IsOfLabels = false; ///< the samples are labels, mostly
   bool IsLarge = false;    ///< more cells, pixels and layers than usual
   vtkSmartPointer<Mapper> Subject;
   std::array<vtkSmartPointer<vtkVolume>, 2> Volumes;

@@ -54,25 +54,34 @@ std::uint64_t MixRow(std::uint64_t hash, const T* samples, int count)
   return hash;
 }
 
+/// The first sample behind those of a node, along one axis. The last sample of all is in the last
+/// node.
+int EndOf(int node, int nodes, int samples)
+{
+  return node + 1 < nodes ? NodeSize * (node + 1) : samples;
+}
+
 /// The hashes of a row of nodes, computed in the order of memory: all nodes along x at the same
 /// time.
-/// \param node y and z of the row
+/// \param node  y and z of the row
+/// \param nodes along each axis
 template <typename T>
-void HashRow(const TypedField<T>& field, const glm::ivec2& node, int nodes, std::uint64_t* hashes)
+void HashRow(const TypedField<T>& field, const glm::ivec2& node, const glm::ivec3& nodes,
+  std::uint64_t* hashes)
 {
-  std::fill_n(hashes, nodes, Seed);
+  std::fill_n(hashes, nodes.x, Seed);
   const glm::ivec2 first = NodeSize * node;
-  const glm::ivec2 last =
-    glm::min(first + NodeSize, glm::ivec2(field.Dimensions.y, field.Dimensions.z) - 1);
+  const glm::ivec2 end(
+    EndOf(node.x, nodes.y, field.Dimensions.y), EndOf(node.y, nodes.z, field.Dimensions.z));
   std::array<T, NodeSize + 1> gathered;
-  for (int k = first.y; k <= last.y; ++k)
+  for (int k = first.y; k < end.y; ++k)
   {
-    for (int j = first.x; j <= last.x; ++j)
+    for (int j = first.x; j < end.x; ++j)
     {
-      for (int n = 0; n < nodes; ++n)
+      for (int n = 0; n < nodes.x; ++n)
       {
         const int i = n * NodeSize;
-        const int count = std::min(NodeSize + 1, field.Dimensions.x - i);
+        const int count = EndOf(n, nodes.x, field.Dimensions.x) - i;
         const T* row = field.At(i, j, k);
         if (field.Strides.x != 1)
         {
@@ -102,10 +111,9 @@ FieldFingerprint FingerprintOf(const Field& field)
     {
       const TypedField<decltype(type)> samples(field);
       ParallelFor(static_cast<std::int64_t>(nodes.y) * nodes.z, 1,
-        [&](std::int64_t row)
-        {
+        [&](std::int64_t row) {
           HashRow(
-            samples, { row % nodes.y, row / nodes.y }, nodes.x, print.Nodes.data() + row * nodes.x);
+            samples, { row % nodes.y, row / nodes.y }, nodes, print.Nodes.data() + row * nodes.x);
         });
     });
   return print;
@@ -122,7 +130,8 @@ std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFin
     {
       const auto node = static_cast<std::int64_t>(i);
       const glm::ivec3 place(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
-      // The outermost samples of a node also belong to cells of its neighbours.
+      // The outermost samples of a node also belong to cells of its neighbours, and the first ones
+      // are corners of cells before it.
       const glm::ivec3 first = glm::max(NodeSize * place - 1 - reach, 0);
       const glm::ivec3 last =
         glm::min(NodeSize * (place + 1) + 1 + reach, now.Samples.Dimensions - 1);

@@ -13,8 +13,8 @@ namespace TemporalCoherence
 {
 
 /// Hashes of a field's samples, to find what changed when the old samples are gone. Each node of
-/// the value-range pyramid has one, of all samples of its cells, including those shared with
-/// neighbours.
+/// the value-range pyramid has one, of the samples at the first corners of its cells. The last node
+/// of a row also has the last samples. So each sample is read once.
 ///
 /// Equal hashes are taken to mean equal samples. A change within eight bytes always changes the
 /// hash; any other change is missed with a probability of about 2^-64. (The hash does not withstand

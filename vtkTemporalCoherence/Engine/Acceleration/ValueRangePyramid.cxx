@@ -4,6 +4,7 @@
 
 #include "Acceleration/KernelsPyramid.h"
 #include "Scene/CellBox.h"
+#include "Scene/LabelSets.h"
 #include "Scene/Parallel.h"
 
 #include <algorithm>
@@ -166,6 +167,11 @@ void ValueRangePyramid::Build(const Field& field)
     [&](auto type)
     {
       using T = decltype(type);
+      if (field.Labels)
+      {
+        this->BuildFromLabels<T>(field);
+        return;
+      }
       this->Bytes.resize(static_cast<std::size_t>(count * (LeavesPerNode + 1)) * sizeof(Range<T>));
       this->Nodes = nodes;
       auto* const leaves = reinterpret_cast<Range<T>*>(this->Bytes.data());
@@ -207,6 +213,38 @@ void ValueRangePyramid::Build(const Field& field)
         this->WithNaN = std::move(withNaN);
       }
     });
+}
+
+/// Build the ranges of labels from those of nodes.
+template <typename T>
+void ValueRangePyramid::BuildFromLabels(const Field& field)
+{
+  this->Nodes = NodesFor(field.Dimensions);
+  const std::int64_t count = this->NumberOfNodes();
+  this->Bytes.resize(static_cast<std::size_t>(count * (LeavesPerNode + 1)) * sizeof(Range<T>));
+  auto* const leaves = reinterpret_cast<Range<T>*>(this->Bytes.data());
+  Range<T>* const ofNodes = leaves + count * LeavesPerNode;
+  ParallelFor(count, 64,
+    [&](std::int64_t node)
+    {
+      const glm::ivec3 place(node % this->Nodes.x, node / this->Nodes.x % this->Nodes.y,
+        node / this->Nodes.x / this->Nodes.y);
+      ofNodes[node] = Empty<T>();
+      for (const std::int64_t label : field.Labels->LabelsOf(node))
+      {
+        const auto value = static_cast<T>(label);
+        ofNodes[node] = Union(ofNodes[node], { value, value });
+      }
+      for (int leaf = 0; leaf < LeavesPerNode; ++leaf)
+      {
+        const bool hasCells =
+          glm::all(glm::greaterThan(CellsOfLeaf(field, place, leaf).Size, glm::ivec3(0)));
+        leaves[node * LeavesPerNode + leaf] = hasCells ? ofNodes[node] : Empty<T>();
+      }
+    });
+  this->Whole = WholeRangeOf(ofNodes, count);
+  this->Finite = this->Whole;
+  this->HasFinite = true;
 }
 
 /// Build the ranges of a field without samples from its kind.

@@ -47,7 +47,7 @@ public:
   }
 
   /// Read the whole field once, in parallel. For a field without samples, its kind provides the
-  /// ranges.
+  /// ranges. Those of labels come from LabelSets: leaves have the range of their node.
   /// \pre field.HasCells()
   /// \throws std::bad_alloc; the pyramid is then empty
   void Build(const Field& field);
@@ -105,6 +105,8 @@ public:
 
 private:
   void BuildFromKind(const Field& field);
+  template <typename T>
+  void BuildFromLabels(const Field& field);
 
   using Room = std::vector<std::byte, DefaultInitAllocator<std::byte>>;
 

@@ -11,6 +11,7 @@
 #include <new>
 #include <numeric>
 #include <unordered_set>
+#include <utility>
 
 namespace TemporalCoherence
 {
@@ -20,11 +21,6 @@ namespace
 constexpr int LeafSize = CellBlocks::LeafSize, NodeSize = CellBlocks::NodeSize;
 constexpr int LeavesInRow = NodeSize / LeafSize;
 constexpr std::uint64_t Several = std::uint64_t(1) << 63;
-
-std::uint64_t BitOf(std::int64_t label)
-{
-  return std::uint64_t(1) << (static_cast<std::uint64_t>(label) % 63);
-}
 
 /// The labels of a node, which are mostly added many times in a row.
 template <typename T>
@@ -110,7 +106,7 @@ private:
       isUniform &= row[i * stride] == row[0];
     }
     this->Found.Add(row[0]);
-    const std::uint64_t bit = BitOf(static_cast<std::int64_t>(row[0]));
+    const std::uint64_t bit = LabelSets::BitOf(static_cast<std::int64_t>(row[0]));
     for (int leaf = 0; leaf < LeavesInRow && leaf * LeafSize + 1 < count; ++leaf)
     {
       Part& part = parts[static_cast<std::size_t>(leaf)];
@@ -123,8 +119,8 @@ private:
         {
           const T label = row[i * stride];
           this->Found.Add(label);
-          part.Bits |=
-            BitOf(static_cast<std::int64_t>(label)) | (label != part.Label ? Several : 0);
+          part.Bits |= LabelSets::BitOf(static_cast<std::int64_t>(label)) |
+            (label != part.Label ? Several : 0);
         }
       }
     }
@@ -208,7 +204,8 @@ void LabelSets::FindAll()
   std::sort(this->All.begin(), this->All.end());
 }
 
-std::shared_ptr<const LabelSets> LabelSets::Make(const Field& field)
+std::shared_ptr<const LabelSets> LabelSets::Make(
+  const Field& field, std::vector<std::uint64_t> hashes)
 {
   const auto sets = std::make_shared<LabelSets>();
   const glm::ivec3 along = CellBlocks::NodesFor(field.Dimensions);
@@ -217,13 +214,14 @@ std::shared_ptr<const LabelSets> LabelSets::Make(const Field& field)
   std::iota(nodes.begin(), nodes.end(), std::int64_t(0));
   sets->Leaves.resize(nodes.size() * CellBlocks::LeavesPerNode);
   sets->OfNodes.resize(nodes.size());
+  sets->HashesOfNodes = std::move(hashes);
   sets->Scan(field, nodes);
   sets->FindAll();
   return sets;
 }
 
 std::shared_ptr<const LabelSets> LabelSets::Updated(
-  const Field& field, const std::vector<CellBox>& changed) const
+  const Field& field, const std::vector<CellBox>& changed, std::vector<std::uint64_t> hashes) const
 {
   const glm::ivec3 along = CellBlocks::NodesFor(field.Dimensions);
   std::vector<std::int64_t> nodes;
@@ -245,6 +243,7 @@ std::shared_ptr<const LabelSets> LabelSets::Updated(
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   const auto sets = std::make_shared<LabelSets>(*this);
+  sets->HashesOfNodes = std::move(hashes);
   sets->Scan(field, nodes);
   sets->FindAll();
   return sets;

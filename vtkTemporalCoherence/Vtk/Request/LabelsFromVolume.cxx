@@ -97,7 +97,7 @@ void LabelsFromVolume::See(const Field& samples)
   if (areKept)
   {
     const std::vector<CellBox> changed = ChangedCells(this->Print, now);
-    labels = known.Labels->Updated(samples, changed);
+    labels = known.Labels->Updated(samples, changed, now.Nodes);
     for (std::size_t i = 0; this->Smooth && i < changed.size(); ++i)
     {
       this->Smooth->Forget(changed[i]);
@@ -106,7 +106,7 @@ void LabelsFromVolume::See(const Field& samples)
   else
   {
     this->Smooth.reset();
-    labels = LabelSets::Make(samples);
+    labels = LabelSets::Make(samples, now.Nodes);
   }
   this->Print = std::move(now);
   this->Known = samples;

@@ -157,7 +157,9 @@ set(volume_files
   Volumes/Samples/ComponentLooks
   Volumes/Samples/ConvergedTracer
   Volumes/Samples/KernelsMedium
+  Volumes/Samples/LabelledSegments
   Volumes/Samples/LookTables
+  Volumes/Samples/LooksByLabel
   Volumes/Samples/Medium
   Volumes/Samples/MediumParts
   Volumes/Samples/MediumTables
@@ -252,6 +254,7 @@ set(bridge_files
   Request/FieldFromMapper
   Request/GradientOpacityFromVolume
   Request/IsovalueCheck
+  Request/LabelLooksFromVolume
   Request/LabelsFromVolume
   Request/LightsFromRenderer
   Request/RegionFromMapper

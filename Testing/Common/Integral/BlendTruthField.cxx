@@ -37,6 +37,7 @@ T Interpolate(const std::array<T, 8>& corners, const glm::dvec3& share)
 
 BlendTruthField::BlendTruthField(const FrameKey& key, const GridCoordinates* coordinates)
   : Fields{ key.Samples }
+  , Labels(key.Blended().Labels ? &key.Blended().Labels->Samples : nullptr)
 {
   this->Fields.insert(this->Fields.end(), key.Blended().Others.begin(), key.Blended().Others.end());
   for (std::size_t a = 0; a < 3; ++a)
@@ -47,7 +48,7 @@ BlendTruthField::BlendTruthField(const FrameKey& key, const GridCoordinates* coo
       this->Planes[a].push_back(coordinates ? coordinates->At(axis, i) : i);
     }
     this->BreaksAlong[a] = this->Planes[a];
-    for (std::size_t i = 1; i < this->Planes[a].size() && this->IsNearest(); ++i)
+    for (std::size_t i = 1; i < this->Planes[a].size() && (this->IsNearest() || this->Labels); ++i)
     {
       this->BreaksAlong[a].push_back(0.5 * (this->Planes[a][i - 1] + this->Planes[a][i]));
     }
@@ -60,9 +61,8 @@ glm::dvec3 BlendTruthField::Last() const
   return { this->Planes[0].back(), this->Planes[1].back(), this->Planes[2].back() };
 }
 
-double BlendTruthField::Sample(std::size_t component, const glm::ivec3& at) const
+double BlendTruthField::Sample(const TemporalCoherence::Field& field, const glm::ivec3& at)
 {
-  const Field& field = this->Fields[component];
   const glm::i64vec3 along = glm::i64vec3(at) * field.Strides;
   const std::int64_t place = along.x + along.y + along.z;
   return DispatchScalarType(field.Type,
@@ -106,6 +106,11 @@ void BlendTruthField::Read(const glm::dvec3& point, Cell& cell) const
     return;
   }
   cell.Number = number;
+  for (int corner = 0; corner < 8 && this->Labels; ++corner)
+  {
+    cell.Labels[static_cast<std::size_t>(corner)] =
+      Sample(*this->Labels, number + CornerOf(corner));
+  }
   const auto& hidden = this->Fields[0].Hidden;
   cell.IsVisible = !(hidden && hidden->IsHidden(number));
   for (std::size_t c = 0; c < this->Components(); ++c)
@@ -134,6 +139,12 @@ double BlendTruthField::ValueAt(
   const std::array<double, 8>& values = cell.Values[component];
   const auto range = std::minmax_element(values.begin(), values.end());
   return std::clamp(Interpolate(values, this->ShareOf(cell, point)), *range.first, *range.second);
+}
+
+double BlendTruthField::LabelAt(const Cell& cell, const glm::dvec3& point)
+{
+  const glm::ivec3 side(glm::lessThan(0.5 * cell.Size, point - cell.Low));
+  return cell.Labels[static_cast<std::size_t>(side.x + 2 * side.y + 4 * side.z)];
 }
 
 glm::dvec3 BlendTruthField::GradientAt(

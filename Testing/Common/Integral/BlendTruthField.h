@@ -26,6 +26,7 @@ public:
     glm::dvec3 Low, Size;   ///< in index space
     std::array<std::array<double, 8>, MostComponents> Values;
     std::array<std::array<glm::dvec3, 8>, MostComponents> Gradients; ///< in index space
+    std::array<double, 8> Labels{};                                  ///< if the volume has some
   };
 
   /// \param coordinates of the samples; null: they lie at integers
@@ -50,15 +51,23 @@ public:
 
   double ValueAt(const Cell& cell, std::size_t component, const glm::dvec3& point) const;
 
+  /// The label of the nearest sample.
+  static double LabelAt(const Cell& cell, const glm::dvec3& point);
+
   /// In index space.
   glm::dvec3 GradientAt(const Cell& cell, std::size_t component, const glm::dvec3& point) const;
 
 private:
-  double Sample(std::size_t component, const glm::ivec3& at) const;
+  static double Sample(const TemporalCoherence::Field& field, const glm::ivec3& at);
+  double Sample(std::size_t component, const glm::ivec3& at) const
+  {
+    return Sample(this->Fields[component], at);
+  }
   glm::dvec3 GradientOfSample(std::size_t component, const glm::ivec3& at) const;
   glm::dvec3 ShareOf(const Cell& cell, const glm::dvec3& point) const;
 
   std::vector<TemporalCoherence::Field> Fields;
+  const TemporalCoherence::Field* Labels; ///< or null
   std::array<std::vector<double>, 3> Planes, BreaksAlong;
 };
 

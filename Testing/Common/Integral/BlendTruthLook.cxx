@@ -79,11 +79,42 @@ const ComponentLook& BlendTruthLook::LookOf(std::size_t component) const
   return looks[std::min(component, looks.size() - 1)];
 }
 
+/// The look of a component at a place, which may have a label with a look of its own.
+const ComponentLook& BlendTruthLook::LookAt(
+  std::size_t component, const BlendTruthField::Cell& cell, const Place& place) const
+{
+  const auto& labels = this->Key.Blended().Labels;
+  const double here = labels ? BlendTruthField::LabelAt(cell, place.Index) : 0.0;
+  for (std::size_t i = 0; labels && i < labels->Looks.size(); ++i)
+  {
+    if (static_cast<double>(labels->Looks[i].Label) == here)
+    {
+      return labels->Looks[i].Look;
+    }
+  }
+  return this->LookOf(component);
+}
+
+/// All looks that a component has somewhere.
+std::vector<const ComponentLook*> BlendTruthLook::LooksOf(std::size_t component) const
+{
+  std::vector<const ComponentLook*> looks{ &this->LookOf(component) };
+  const auto& labels = this->Key.Blended().Labels;
+  for (std::size_t i = 0; labels && i < labels->Looks.size(); ++i)
+  {
+    looks.push_back(&labels->Looks[i].Look);
+  }
+  return looks;
+}
+
 std::vector<double> BlendTruthLook::Bends(std::size_t component) const
 {
   const Blending& volume = this->Key.Blended();
   std::vector<double> bends{ volume.AverageRange.x, volume.AverageRange.y };
-  AddBends(this->LookOf(component).Transfer, bends);
+  for (const ComponentLook* look : this->LooksOf(component))
+  {
+    AddBends(look->Transfer, bends);
+  }
   if (component < volume.ScalarRanges.size())
   {
     bends.push_back(volume.ScalarRanges[component].x);
@@ -95,9 +126,10 @@ std::vector<double> BlendTruthLook::Bends(std::size_t component) const
 }
 
 /// Colour and opacity of a component, or of all if they depend on each other.
-glm::dvec4 BlendTruthLook::ColorOf(std::size_t component, const std::array<double, 4>& values) const
+glm::dvec4 BlendTruthLook::ColorOf(
+  const ComponentLook& look, std::size_t component, const std::array<double, 4>& values) const
 {
-  const TransferFunction& transfer = this->LookOf(component).Transfer;
+  const TransferFunction& transfer = look.Transfer;
   switch (this->Key.Blended().Use)
   {
     case ComponentUse::Independent:
@@ -121,7 +153,7 @@ glm::dvec4 BlendTruthLook::BlendedColorOf(const std::array<double, 4>& values) c
   glm::dvec4 sum(0.0);
   for (std::size_t c = 0; c < this->Parts(); ++c)
   {
-    const glm::dvec4 color = this->ColorOf(c, values);
+    const glm::dvec4 color = this->ColorOf(this->LookOf(c), c, values);
     const double weight = this->Parts() > 1 ? this->Weight(c) : 1.0;
     sum += weight * color.w * glm::dvec4(glm::dvec3(color), 1.0);
   }
@@ -133,7 +165,7 @@ double BlendTruthLook::WeighedShareOf(
 {
   const glm::dvec2& range = this->Key.Blended().ScalarRanges[component];
   const double share = (values[component] - range.x) / (range.y - range.x);
-  return this->ColorOf(component, values).w * share;
+  return this->ColorOf(this->LookOf(component), component, values).w * share;
 }
 
 /// Dependent components have one gradient: that of the first, or of the opacity beside a colour.
@@ -145,10 +177,14 @@ std::size_t BlendTruthLook::GradientComponent(std::size_t component) const
 std::vector<double> BlendTruthLook::GradientBends(std::size_t component) const
 {
   std::vector<double> bends;
-  for (const glm::dvec2& node : this->LookOf(component).ByGradient.Nodes)
+  for (const ComponentLook* look : this->LooksOf(component))
   {
-    bends.push_back(node.x);
+    for (const glm::dvec2& node : look->ByGradient.Nodes)
+    {
+      bends.push_back(node.x);
+    }
   }
+  std::sort(bends.begin(), bends.end());
   return bends;
 }
 
@@ -168,9 +204,9 @@ BlendTruthLook::Part BlendTruthLook::PartAt(
   {
     values[c] = this->Field.ValueAt(cell, c, place.Index);
   }
-  const glm::dvec4 color = this->ColorOf(component, values);
+  const ComponentLook& look = this->LookAt(component, cell, place);
+  const glm::dvec4 color = this->ColorOf(look, component, values);
   Part part{ glm::dvec3(color), color.w, 1.0 };
-  const ComponentLook& look = this->LookOf(component);
   if (part.Opacity <= 0.0 || (!look.Material.Shade && look.ByGradient.Nodes.empty()))
   {
     return part;
@@ -239,7 +275,8 @@ BlendTruthLook::Medium BlendTruthLook::MediumAt(
       opaque += weight * part.Color;
       continue;
     }
-    const double extinction = -std::log1p(-part.Opacity) / this->UnitDistance(c) * part.Share;
+    const double unit = this->LookAt(c, cell, place).UnitDistance;
+    const double extinction = -std::log1p(-part.Opacity) / unit * part.Share;
     medium.Emission += weight * extinction * part.Color;
     squares += extinction * extinction;
     weighed += weight * extinction;
@@ -259,8 +296,8 @@ BlendTruthLook::Medium BlendTruthLook::StepAt(
   {
     const double weight = areSeveral ? this->Weight(c) : 1.0;
     const Part part = this->PartAt(c, cell, place);
-    const double alpha =
-      (1.0 - std::pow(1.0 - part.Opacity, length / this->UnitDistance(c))) * part.Share;
+    const double unit = this->LookAt(c, cell, place).UnitDistance;
+    const double alpha = (1.0 - std::pow(1.0 - part.Opacity, length / unit)) * part.Share;
     if (weight > 0.0)
     {
       medium.Emission += weight * alpha * part.Color;

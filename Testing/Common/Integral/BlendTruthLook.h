@@ -66,8 +66,14 @@ private:
     double Opacity, Share; ///< Share by its gradient
   };
 
-  const TemporalCoherence::ComponentLook& LookOf(std::size_t component) const;
-  glm::dvec4 ColorOf(std::size_t component, const std::array<double, 4>& values) const;
+  using ComponentLook = TemporalCoherence::ComponentLook;
+
+  const ComponentLook& LookOf(std::size_t component) const;
+  const ComponentLook& LookAt(
+    std::size_t component, const BlendTruthField::Cell& cell, const Place& place) const;
+  std::vector<const ComponentLook*> LooksOf(std::size_t component) const;
+  glm::dvec4 ColorOf(
+    const ComponentLook& look, std::size_t component, const std::array<double, 4>& values) const;
   std::size_t GradientComponent(std::size_t component) const;
   Part PartAt(std::size_t component, const BlendTruthField::Cell& cell, const Place& place) const;
   glm::dvec3 Lit(const TemporalCoherence::Material& material, const glm::dvec3& color,

@@ -78,19 +78,6 @@ void TestInputs()
       scene.Volume->GetProperty()->IndependentComponentsOff();
     },
     [&](Scene& scene) { scene.Mapper->SetInputData(data); });
-  vtkNew<vtkImageData> labels;
-  labels->SetDimensions(32, 32, 32);
-  labels->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  ExpectError(
-    Maximum, "Labels of a mask can hide isosurfaces only",
-    [&](Scene& scene)
-    {
-      scene.Mapper->SetMaskInput(labels);
-      scene.Mapper->SetMaskTypeToLabelMap();
-      scene.Volume->GetProperty()->SetLabelScalarOpacity(
-        1, scene.Volume->GetProperty()->GetScalarOpacity());
-    },
-    [](Scene& scene) { scene.Mapper->SetMaskBlendFactor(0.0f); });
 }
 
 void TestNumbers()

@@ -134,6 +134,7 @@ void ActiveCells::FindLeaves(
   const glm::ivec3& along = pyramid.NodeDimensions();
   this->NodeWords.resize(static_cast<std::size_t>(2 * nodes));
   this->Hidden = field.Hidden;
+  this->Dimensions = along;
 
   DispatchScalarType(field.Type,
     [&](auto type)
@@ -154,7 +155,10 @@ void ActiveCells::FindLeaves(
             const auto* othersRanges = other.Pyramid->LeavesOf<T>(node);
             for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
             {
-              leaves |= static_cast<std::uint64_t>(IsActive(othersRanges[i], other.Bands)) << i;
+              const bool isActive =
+                (!other.Labels || other.Labels->Has(other.LabelBits, node, i)) &&
+                IsActive(othersRanges[i], other.Bands);
+              leaves |= static_cast<std::uint64_t>(isActive) << i;
             }
           }
           if (this->Hidden)
@@ -177,7 +181,6 @@ void ActiveCells::FindLeaves(
   this->LeafWords = std::make_unique<std::atomic<std::uint64_t>[]>(words);
   this->NumberOfLeafWords = words;
   this->FindLevelsAbove(pyramid.NodeDimensions());
-  this->Dimensions = pyramid.NodeDimensions();
 }
 
 void ActiveCells::FindLevelsAbove(const glm::ivec3& nodes)

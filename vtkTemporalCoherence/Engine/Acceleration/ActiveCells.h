@@ -7,6 +7,7 @@
 #include "Scene/Field.h"
 #include "Scene/HiddenCells.h"
 #include "Scene/LabelIndex.h"
+#include "Scene/LabelSets.h"
 #include "Scene/Surfaces.h"
 
 #include <algorithm>
@@ -59,10 +60,14 @@ public:
     Field Samples;
     const ValueRangePyramid* Pyramid;
     std::vector<ValueBand> Bands; ///< ascending; the upper end is not visible
+    /// Labels of samples, if Bands count for LabelBits only; else null.
+    std::shared_ptr<const LabelSets> Labels;
+    std::uint64_t LabelBits = 0; ///< LabelSets::BitsOf the labels for which the bands count
   };
 
   /// Build from several fields that differ only in values: cells with a visible value of any field.
-  /// \param fields later calls, such as CellsOf, must get the first one
+  /// \param fields later calls, such as CellsOf, must get the first one, whose bands count for all
+  ///               labels
   void BuildVisible(const std::vector<SeenValues>& fields);
 
   void Release();
@@ -218,7 +223,11 @@ std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec
   std::uint64_t active = CellsWithin(field, this->Bands, firstCell);
   for (const SeenValues& other : this->Others)
   {
-    active |= CellsWithin(TypedField<T>(other.Samples), other.Bands, firstCell);
+    if (!other.Labels ||
+      other.Labels->Has(other.LabelBits, this->NodeOf(firstCell), LeafOf(firstCell)))
+    {
+      active |= CellsWithin(TypedField<T>(other.Samples), other.Bands, firstCell);
+    }
   }
   return this->Hidden ? this->WithoutHidden(field, firstCell, active) : active;
 }

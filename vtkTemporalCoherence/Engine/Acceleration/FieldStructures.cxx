@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceleration/FieldStructures.h"
 
+#include "Scene/LabelSets.h"
+
 #include <algorithm>
 
 namespace TemporalCoherence
@@ -82,7 +84,8 @@ void FieldStructures::Provide(
     std::vector<ActiveCells::SeenValues> fields;
     for (const VisibleValues& each : values)
     {
-      fields.push_back({ each.Ranges->Samples, each.Ranges->Pyramid.get(), each.Bands });
+      fields.push_back({ each.Ranges->Samples, each.Ranges->Pyramid.get(), each.Bands, each.Labels,
+        each.LabelBits });
     }
     const auto active = std::make_shared<ActiveCells>();
     active->BuildVisible(fields);
@@ -98,7 +101,9 @@ void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldFin
     FindHeld(this->Prints, [&](const FieldFingerprint& print) { return print.Samples == field; });
   if (!found)
   {
-    found = std::make_shared<const FieldFingerprint>(FingerprintOf(field));
+    const bool isKnown = field.Labels && !field.Labels->Hashes().empty();
+    found = std::make_shared<const FieldFingerprint>(
+      isKnown ? FieldFingerprint{ field, field.Labels->Hashes() } : FingerprintOf(field));
     this->Prints.push_back(found);
   }
   held = found;

@@ -36,11 +36,15 @@ struct VisibleValues
 {
   std::shared_ptr<const FieldRanges> Ranges;
   std::vector<ValueBand> Bands;
+  /// Labels of samples, if the bands count for some of them only (ActiveCells::SeenValues).
+  std::shared_ptr<const LabelSets> Labels;
+  std::uint64_t LabelBits = 0;
 };
 
 inline bool operator==(const VisibleValues& a, const VisibleValues& b)
 {
-  return a.Ranges->Samples == b.Ranges->Samples && a.Bands == b.Bands;
+  return a.Ranges->Samples == b.Ranges->Samples && a.Bands == b.Bands && a.Labels == b.Labels &&
+    a.LabelBits == b.LabelBits;
 }
 
 /// The cells of a field that hold a visible value of any of several components.

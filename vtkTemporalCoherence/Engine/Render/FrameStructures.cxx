@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/FrameStructures.h"
 
-#include "Volumes/Samples/VisibleComponents.h"
-
 #include <optional>
 #include <vector>
 
@@ -49,7 +47,7 @@ void FrameStructures::PrepareActiveCells(const FrameKey& key)
 
 bool FrameStructures::PrepareVisibleCells(const FrameKey& key)
 {
-  const std::optional<std::vector<std::vector<ValueBand>>> bands = VisibleComponents(key.Blended());
+  const std::optional<std::vector<SeenBands>> bands = VisibleComponents(key.Blended());
   if (!MayShowAnything(key) || !bands)
   {
     return false;
@@ -64,23 +62,28 @@ bool FrameStructures::PrepareVisibleCells(const FrameKey& key)
   return true;
 }
 
-/// The visible values of a key's first component, and of other components that show anything.
+/// The visible values of a key's components, with the ranges of their fields.
 std::vector<VisibleValues> FrameStructures::VisibleValuesOf(
-  const FrameKey& key, const std::vector<std::vector<ValueBand>>& bands)
+  const FrameKey& key, const std::vector<SeenBands>& bands)
 {
-  const std::vector<Field>& others = key.Blended().Others;
-  this->OfOthers.resize(others.size(), std::make_shared<const FieldRanges>());
-  std::vector<VisibleValues> values{ { this->OfData, bands.front() } };
-  for (std::size_t i = 0; i < others.size(); ++i)
+  const Blending& volume = key.Blended();
+  this->OfOthers.resize(volume.Others.size(), std::make_shared<const FieldRanges>());
+  std::vector<VisibleValues> values;
+  for (const SeenBands& seen : bands)
   {
-    if (!bands[i + 1].empty())
+    std::shared_ptr<const FieldRanges> ranges = this->OfData;
+    if (seen.Component > 0)
     {
-      if (!(this->OfOthers[i]->Samples == others[i]))
+      const Field& other = volume.Others[seen.Component - 1];
+      std::shared_ptr<const FieldRanges>& held = this->OfOthers[seen.Component - 1];
+      if (!(held->Samples == other))
       {
-        this->Shared->Provide(others[i], this->OfOthers[i]);
+        this->Shared->Provide(other, held);
       }
-      values.push_back({ this->OfOthers[i], bands[i + 1] });
+      ranges = held;
     }
+    values.push_back({ ranges, seen.Bands, seen.HasLabels ? volume.Labels->Samples.Labels : nullptr,
+      seen.LabelBits });
   }
   return values;
 }

@@ -7,6 +7,7 @@
 #include "Acceleration/TileBounds.h"
 #include "Scene/FrameKey.h"
 #include "Volumes/Beams/CompositeTables.h"
+#include "Volumes/Samples/VisibleComponents.h"
 
 #include <memory>
 #include <utility>
@@ -82,7 +83,7 @@ public:
 private:
   void PrepareBounds(const FrameKey& key, const ActiveCells& cells);
   std::vector<VisibleValues> VisibleValuesOf(
-    const FrameKey& key, const std::vector<std::vector<ValueBand>>& bands);
+    const FrameKey& key, const std::vector<SeenBands>& bands);
 
   std::shared_ptr<FieldStructures> Shared;
   std::shared_ptr<const FieldRanges> OfData = std::make_shared<const FieldRanges>();

@@ -80,6 +80,30 @@ enum class ComponentUse : std::uint8_t
   RgbOpacity    ///< four: the first three are a colour, the fourth gives the opacity
 };
 
+/// A label's look.
+struct LabelledLook
+{
+  std::int64_t Label;
+  ComponentLook Look;
+};
+
+inline bool operator==(const LabelledLook& a, const LabelledLook& b)
+{
+  return a.Label == b.Label && a.Look == b.Look;
+}
+
+/// Labels of a volume's samples. A place has the label of its nearest sample.
+struct LabelMap
+{
+  Field Samples; ///< whole numbers in the places of the volume's samples, with Field::Labels
+  std::vector<LabelledLook> Looks; ///< ascending labels; others have the look of the volume
+};
+
+inline bool operator==(const LabelMap& a, const LabelMap& b)
+{
+  return a.Samples == b.Samples && a.Looks == b.Looks;
+}
+
 /// Settings of a blended volume.
 struct Blending
 {
@@ -89,6 +113,9 @@ struct Blending
     Looks; ///< one for each component; a single one if components are dependent
   /// Components 1, 2 and 3, if they exist. Only their values differ from FrameKey::Samples.
   std::vector<Field> Others;
+  /// Labels whose parts have looks of their own; null: there are none. For Composite with a single
+  /// component.
+  std::shared_ptr<const LabelMap> Labels;
   glm::dvec2 AverageRange{ 0.0 }; ///< values that count for Average, both ends included
   /// By component: the values that count as 0 and as 1 with Additive and with RgbOpacity.
   std::vector<glm::dvec2> ScalarRanges;
@@ -109,8 +136,10 @@ inline bool HaveSameRays(const Blending& a, const Blending& b)
 /// True if both give the same picture of the same samples.
 inline bool operator==(const Blending& a, const Blending& b)
 {
+  const bool haveSameLabels =
+    a.Labels == b.Labels || (a.Labels && b.Labels && *a.Labels == *b.Labels);
   return HaveSameRays(a, b) && a.Looks == b.Looks && a.AverageRange == b.AverageRange &&
-    a.ScalarRanges == b.ScalarRanges;
+    a.ScalarRanges == b.ScalarRanges && haveSameLabels;
 }
 
 }

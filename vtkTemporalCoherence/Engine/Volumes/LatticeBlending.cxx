@@ -16,12 +16,13 @@ namespace TemporalCoherence
 namespace
 {
 
-/// True for an image of one component with linear interpolation and no sample distance.
+/// True for an image of one component without labels, with linear interpolation and no sample
+/// distance.
 bool IsPlain(const BlendScene& scene, const GridCoordinates* grid)
 {
   const Blending& volume = scene.Key.Blended();
   return !grid && scene.Key.Samples.Between == Interpolation::Linear && volume.Others.empty() &&
-    volume.SampleDistance == 0.0;
+    !volume.Labels && volume.SampleDistance == 0.0;
 }
 
 /// True if the range of the transfer function is not empty.

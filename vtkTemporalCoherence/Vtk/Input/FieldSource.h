@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,7 @@ struct PlacedField
   Field Samples;
   std::vector<Field> Others;            ///< the other drawn components
   std::vector<glm::dvec2> ScalarRanges; ///< of the finite samples, by drawn component
+  std::optional<Field> Labels;          ///< of the samples, if a mask gives them looks (SampleMask)
   IndexTransform Transform;
   ImageAxes Axes;            ///< index space in the coordinates of cropping planes
   glm::dvec3 PerStep{ 1.0 }; ///< of GradientOpacity

@@ -99,7 +99,9 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
         found.Image, found.Array, found.OnCells, found.Component.Number, field.Samples, error) ||
     !FindMask(query.Mask, query.Mapper, field.Samples.Dimensions, property, query.Isovalues,
       ofSamples, error) ||
-    !this->Hidden.Find(found.Image, found.OnCells, ofSamples, field.Samples.Flagged, error) ||
+    !this->MakeLabels(query.Mask, ofSamples, field, error) ||
+    !this->Hidden.Find(found.Image, found.OnCells, ofSamples.GivesLooks ? SampleMask() : ofSamples,
+      field.Samples.Flagged, error) ||
     !MakeIndexTransform(found.Image, found.OnCells, query.Volume, field.Transform, error))
   {
     return false;
@@ -119,8 +121,21 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
   field.Axes = AxesOf(found.Image, found.OnCells);
   const glm::dvec3 distances = glm::abs(field.Axes.Step);
   field.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
-  field.Read = { found.Array };
+  field.Read.emplace_back(found.Array);
   return true;
+}
+
+/// Make the field of labels, if the mask gives looks to samples.
+bool ImageSource::MakeLabels(
+  const MaskSettings& settings, const SampleMask& mask, PlacedField& field, std::string& error)
+{
+  if (!mask.GivesLooks)
+  {
+    return true;
+  }
+  vtkDataArray* const array = this->Arrays.Of(mask.Array, settings.Image->GetMTime());
+  field.Read.emplace_back(array);
+  return MakeField(settings.Image, array, mask.OnCells, 0, field.Labels.emplace(), error);
 }
 
 /// Make the fields of all components but the first.

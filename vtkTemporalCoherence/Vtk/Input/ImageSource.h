@@ -41,6 +41,8 @@ public:
 
 private:
   bool FindImage(vtkDataObject* data, const ScalarChoice& choice, std::string& error);
+  bool MakeLabels(
+    const MaskSettings& settings, const SampleMask& mask, PlacedField& field, std::string& error);
   bool MakeOthers(PlacedField& field, std::string& error) const;
   void FindRanges(PlacedField& field);
   void FindScalar(vtkVolumeProperty* property, const VectorChoice& vectors);

@@ -120,18 +120,14 @@ bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::
   mask.IsLabelMap = settings.IsLabelMap;
   if (mask.IsLabelMap)
   {
-    if (!isovalues && settings.BlendFactor > 0.0f && !property->GetLabelMapLabels().empty())
-    {
-      error = "Labels of a mask can hide isosurfaces only; call SetBlendModeToIsoSurface, "
-              "SetMaskTypeToBinary or SetMaskBlendFactor(0).";
-      return false;
-    }
     const bool countsAlone = isovalues && settings.BlendFactor >= 1.0f;
     if (countsAlone && !FindHiddenLabels(property, *isovalues, mask.HiddenLabels, error))
     {
       return false;
     }
-    if (mask.HiddenLabels.empty())
+    mask.GivesLooks = !isovalues && mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND &&
+      settings.BlendFactor > 0.0f && !property->GetLabelMapLabels().empty();
+    if (mask.HiddenLabels.empty() && !mask.GivesLooks)
     {
       return true; // the mask has no effect
     }
@@ -169,6 +165,7 @@ bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::
     return false;
   }
   mask.Array = scalars.Array;
+  mask.OnCells = scalars.OnCells;
   mask.Time = std::max(image->GetMTime(), scalars.Array->GetMTime());
   return true;
 }

@@ -33,27 +33,32 @@ struct MaskSettings
 
 /// A mask of a field's samples. Compared by value, except for the values of its array.
 ///
-/// A binary mask shows samples where it is above 0. A label map hides the samples of some labels.
+/// A binary mask shows samples where it is above 0. A label map hides the samples of some labels,
+/// or gives looks to them.
 struct SampleMask
 {
-  vtkDataArray* Array = nullptr; ///< one value for each sample; null if all are shown
+  vtkDataArray* Array = nullptr; ///< one value for each sample; null if the mask has no effect
+  bool OnCells = false;          ///< values lie on the cells of the mask's image
   vtkMTimeType Time = 0;         ///< differs whenever the array may have changed
   bool IsLabelMap = false;
+  bool GivesLooks = false; ///< labels change how a blended volume looks, and hide nothing
   std::vector<std::int64_t> HiddenLabels; ///< of a label map, ascending
 
   bool operator==(const SampleMask& other) const
   {
-    return this->Array == other.Array && this->Time == other.Time &&
-      this->IsLabelMap == other.IsLabelMap && this->HiddenLabels == other.HiddenLabels;
+    return this->Array == other.Array && this->OnCells == other.OnCells &&
+      this->Time == other.Time && this->IsLabelMap == other.IsLabelMap &&
+      this->GivesLooks == other.GivesLooks && this->HiddenLabels == other.HiddenLabels;
   }
 };
 
-/// Find the mask of a field. A label is hidden if BlendFactor is 1, so that its own scalar opacity
-/// counts alone, and this is 0 at all isovalues.
+/// Find the mask of a field. A label of surfaces is hidden if BlendFactor is 1, so that its own
+/// scalar opacity counts alone, and this is 0 at all isovalues. In composite volumes labels give
+/// looks. In other modes they have no effect.
 /// \param mapper    its scalar mode chooses the array of the mask
 /// \param samples   of the field along each axis
 /// \param property  knows the labels
-/// \param isovalues to draw; null for a blended volume, which labels cannot change
+/// \param isovalues to draw; null for a blended volume
 /// \param error     receives the mistake and its remedy
 /// \return false on error
 bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::ivec3& samples,

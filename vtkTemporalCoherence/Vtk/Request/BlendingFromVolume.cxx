@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/BlendingFromVolume.h"
 
-#include "Acceleration/RareValues.h"
 #include "Input/MatrixFromVtk.h"
 #include "Input/SettingCheck.h"
 #include "Request/GradientOpacityFromVolume.h"
@@ -157,17 +156,6 @@ bool FindUse(
   return error.empty();
 }
 
-/// A slightly wider range with rounded ends, so that functions need not be sampled again for each
-/// time step.
-glm::dvec2 Rounded(const glm::dvec2& range)
-{
-  const double width = range.y - range.x;
-  const double step = std::exp2(std::floor(std::log2(width)) - 3.0);
-  const glm::dvec2 rounded = { std::floor(range.x / step) * step,
-    std::ceil(range.y / step) * step };
-  return width > 0.0 && step > 0.0 && std::isfinite(rounded.y - rounded.x) ? rounded : range;
-}
-
 /// The range of the values that a look finds in its functions.
 /// \param ranges by component
 glm::dvec2 LookedUp(const std::vector<glm::dvec2>& ranges, ComponentUse use, std::size_t look)
@@ -276,7 +264,7 @@ bool BlendingFromVolume::MakeLook(
   check("Scalar opacity unit distance", unit, Allowed::Distance, "SetScalarOpacityUnitDistance");
   check("Component weight", weight, { 0.0, 1.0 }, "SetComponentWeight");
   SampledTransfer& transfer = this->Transfers[static_cast<std::size_t>(component)];
-  if (!check.HasPassed() || !transfer.Find(property, component, error) ||
+  if (!check.HasPassed() || !transfer.Find(TransferFunctions(property, component), error) ||
     !MakeGradientOpacity(property, component, look.ByGradient, error) ||
     !MakeMaterial(property, component, look.Material, error))
   {
@@ -296,17 +284,11 @@ void BlendingFromVolume::MakeTransfers(const Field& first, Blending& made)
     GradientOpacity& byGradient = made.Looks[i].ByGradient;
     LeaveOutBeyond((range.y - range.x) * glm::length(byGradient.PerStep), byGradient);
     SampledTransfer& transfer = this->Transfers[this->FirstTransfer + i];
-    const bool areColors = made.Use == ComponentUse::RgbOpacity; // functions end with the range
-    AskedValues asked{ areColors ? range : Rounded(range), {}, areColors };
-    asked.Dense = asked.Range;
-    const glm::dvec2 close = transfer.RangeOfCloseNodes(asked.Range);
     const Field& field = i == 0 ? first : made.Others[i - 1];
-    if (made.Use == ComponentUse::Independent && close != asked.Range && field.HasCells() &&
-      AreRareBeyond(field, close, range))
-    {
-      asked.Dense = close;
-    }
-    made.Looks[i].Transfer = transfer.Sample(asked);
+    // The functions of colours that samples hold end with the range.
+    made.Looks[i].Transfer = made.Use == ComponentUse::RgbOpacity
+      ? transfer.Sample({ range, range, true })
+      : transfer.SampleFor(field, range, made.Use == ComponentUse::Independent);
   }
   if (made.Use == ComponentUse::RgbOpacity)
   {

@@ -14,31 +14,14 @@ namespace TemporalCoherence
 namespace
 {
 
-bool CheckNode(int i, const double node[4], std::string& error)
-{
-  const char* const remedy = "GetGradientOpacity()->SetNodeValue or AddPoint";
-  const NumberRange share = { 0.0, 1.0 };
-  SettingCheck check({ "node", i, "the gradient opacity of the volume's property" }, error);
-  check("Position", node[0], Allowed::GradientMagnitude, remedy);
-  check("Value", node[1], Allowed::Opacity, remedy);
-  check("Midpoint", node[2], share, remedy);
-  check("Sharpness", node[3], share, remedy);
-  return check.HasPassed();
-}
-
-}
-
-bool MakeGradientOpacity(
-  vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error)
+/// \param owner  of the function, in words
+/// \param remedy the function to call with other numbers
+bool MakeNodes(vtkPiecewiseFunction* function, const char* owner, const char* remedy,
+  GradientOpacity& made, std::string& error)
 {
   // Straight lines join the nodes, unless they have their own midpoint or sharpness.
   constexpr int ManyNodes = 4096;
-  made.Nodes.clear();
-  if (property->GetDisableGradientOpacity(component) || !property->HasGradientOpacity(component))
-  {
-    return true;
-  }
-  vtkPiecewiseFunction* function = property->GetGradientOpacity(component);
+  const NumberRange share = { 0.0, 1.0 };
   bool isStraight = true;
   for (int i = 0; i < function->GetSize(); ++i)
   {
@@ -46,7 +29,12 @@ bool MakeGradientOpacity(
     function->GetNodeValue(i, node);
     isStraight = isStraight && node[2] == 0.5 && node[3] == 0.0;
     made.Nodes.emplace_back(node[0], node[1]);
-    if (!CheckNode(i, node, error))
+    SettingCheck check({ "node", i, owner }, error);
+    check("Position", node[0], Allowed::GradientMagnitude, remedy);
+    check("Value", node[1], Allowed::Opacity, remedy);
+    check("Midpoint", node[2], share, remedy);
+    check("Sharpness", node[3], share, remedy);
+    if (!check.HasPassed())
     {
       return false;
     }
@@ -77,6 +65,31 @@ bool MakeGradientOpacity(
     made.Nodes.clear();
   }
   return true;
+}
+
+}
+
+bool MakeGradientOpacity(
+  vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error)
+{
+  made.Nodes.clear();
+  return property->GetDisableGradientOpacity(component) ||
+    !property->HasGradientOpacity(component) ||
+    MakeNodes(property->GetGradientOpacity(component),
+      "the gradient opacity of the volume's property",
+      "GetGradientOpacity()->SetNodeValue or AddPoint", made, error);
+}
+
+bool MakeLabelGradientOpacity(
+  vtkVolumeProperty* property, int label, GradientOpacity& made, std::string& error)
+{
+  made.Nodes.clear();
+  vtkPiecewiseFunction* const own = property->GetLabelGradientOpacity(label);
+  const std::string owner =
+    "the gradient opacity of label " + std::to_string(label) + " of the volume's property";
+  return !own ||
+    MakeNodes(
+      own, owner.c_str(), "GetLabelGradientOpacity(label)->SetNodeValue or AddPoint", made, error);
 }
 
 void LeaveOutBeyond(double steepest, GradientOpacity& opacity)

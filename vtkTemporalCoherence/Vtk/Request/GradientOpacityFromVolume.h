@@ -21,6 +21,11 @@ namespace TemporalCoherence
 bool MakeGradientOpacity(
   vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error);
 
+/// Make the nodes of the gradient opacity of a mask's label: none without such a function.
+/// \param error as above
+bool MakeLabelGradientOpacity(
+  vtkVolumeProperty* property, int label, GradientOpacity& made, std::string& error);
+
 /// Leave out nodes beyond the steepest gradient, because tables spread over all nodes.
 /// \param steepest bound of the gradient magnitude
 void LeaveOutBeyond(double steepest, GradientOpacity& opacity);

@@ -147,13 +147,19 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
           key.Appearance.ByArray, request.Read, error)));
   this->IsMakingField = false;
   SetMutualLight(settings, key);
-  if (isMade && isBlended)
-  {
-    // Empty without samples.
-    key.Blended().ScalarRanges.resize(static_cast<std::size_t>(drawn.Count));
-    this->Blendings.MakeTransfers(key.Samples, key.Blended());
-  }
-  return isMade;
+  return isMade && (!isBlended || this->FinishBlending(settings, volume, drawn, key, error));
+}
+
+/// Make what depends on the samples of a blended volume: its functions, and looks of labels.
+bool RequestFromMapper::FinishBlending(const PictureSettings& settings, vtkVolume* volume,
+  const DrawnComponent& drawn, FrameKey& key, std::string& error)
+{
+  Blending& blending = key.Blended();
+  blending.ScalarRanges.resize(static_cast<std::size_t>(drawn.Count)); // empty without samples
+  this->Blendings.MakeTransfers(key.Samples, blending);
+  return !blending.Labels ||
+    this->LabelLooks.Make(volume->GetProperty(), drawn.OfProperty,
+      static_cast<double>(settings.Mask.BlendFactor), key.Samples, blending, error);
 }
 
 /// Find the components that the mapper draws.
@@ -276,6 +282,10 @@ bool RequestFromMapper::MakeScene(
     }
     volume.Others = field.Others;
     volume.ScalarRanges = field.ScalarRanges;
+    if (field.Labels)
+    {
+      volume.Labels = std::make_shared<const LabelMap>(LabelMap{ *field.Labels, {} });
+    }
   }
   else
   {
@@ -324,6 +334,7 @@ void RequestFromMapper::Release()
 {
   this->Fields.Release();
   this->Labels.Release();
+  this->LabelLooks.Release();
 }
 
 }

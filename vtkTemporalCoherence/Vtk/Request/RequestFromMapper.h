@@ -6,6 +6,7 @@
 #include "Request/ArrayColorsFromVolume.h"
 #include "Request/BlendingFromVolume.h"
 #include "Request/FieldFromMapper.h"
+#include "Request/LabelLooksFromVolume.h"
 #include "Request/LabelsFromVolume.h"
 #include "Scene/FrameKey.h"
 #include "vtkTemporalCoherenceCompatibility.h"
@@ -100,12 +101,15 @@ private:
   bool MakeBlending(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume,
     vtkRenderer* renderer, const DrawnComponent& drawn, FrameRequest& request, std::string& error);
   bool MakeScene(const FieldQuery& query, int component, FrameRequest& request, std::string& error);
+  bool FinishBlending(const PictureSettings& settings, vtkVolume* volume,
+    const DrawnComponent& drawn, FrameKey& key, std::string& error);
   bool MakeLabels(const PictureSettings& settings, vtkVolume* volume, vtkRenderer* renderer,
     int component, FrameRequest& request, std::string& error);
 
   FieldFromMapper Fields;
   BlendingFromVolume Blendings;
   LabelsFromVolume Labels;
+  LabelLooksFromVolume LabelLooks;
   ArrayColorsFromVolume ArrayColoring;
   DrawnComponent Drawn;       ///< from the last search
   bool IsMakingField = false; ///< meanwhile observers may ask anything

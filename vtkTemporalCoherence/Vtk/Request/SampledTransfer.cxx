@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/SampledTransfer.h"
 
+#include "Acceleration/RareValues.h"
+
 #include <vtkColorTransferFunction.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkVolumeProperty.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace TemporalCoherence
 {
@@ -228,6 +230,29 @@ TransferFunction SampleFunctions(
   return Sampler(functions, nodes, asked).Made;
 }
 
+/// Mix a share of another function, sampled at equal values, into a function. The other function
+/// counts as black where its opacity is 0.
+void MixIn(const TransferFunction& other, double share, TransferFunction& into)
+{
+  assert(other.Range == into.Range && other.Nodes.size() == into.Nodes.size());
+  for (std::size_t i = 0; i < into.Nodes.size(); ++i)
+  {
+    const glm::dvec4& node = other.Nodes[i];
+    into.Nodes[i] = glm::mix(into.Nodes[i], node.w > 0.0 ? node : glm::dvec4(0.0), share);
+  }
+}
+
+/// A slightly wider range with rounded ends, so that functions need not be sampled again for each
+/// time step.
+glm::dvec2 Rounded(const glm::dvec2& range)
+{
+  const double width = range.y - range.x;
+  const double step = std::exp2(std::floor(std::log2(width)) - 3.0);
+  const glm::dvec2 rounded = { std::floor(range.x / step) * step,
+    std::ceil(range.y / step) * step };
+  return width > 0.0 && step > 0.0 && std::isfinite(rounded.y - rounded.x) ? rounded : range;
+}
+
 /// Lower limit of intervals between the remaining samples.
 constexpr std::size_t FewestIntervals = 1 << 4;
 
@@ -273,31 +298,59 @@ void Thin(TransferFunction& transfer)
 
 }
 
-bool SampledTransfer::Find(vtkVolumeProperty* property, int component, std::string& error)
+SampledTransfer::Found::Found(const TransferFunctions& functions)
+  : Functions(functions)
+  , Colors(functions.Colors())
+  , Opacities(functions.Opacity)
+  , ColorTime(functions.Colors()->GetMTime())
+  , OpacityTime(functions.Opacity->GetMTime())
 {
-  const TransferFunctions functions(property, component);
-  const vtkMTimeType colorTime = functions.Colors()->GetMTime();
-  const vtkMTimeType opacityTime = functions.Opacity->GetMTime();
-  if (this->Functions && this->Colors == functions.Colors() &&
-    this->Opacities == functions.Opacity && this->ColorTime == colorTime &&
-    this->OpacityTime == opacityTime)
+}
+
+bool SampledTransfer::Found::operator==(const Found& other) const
+{
+  return this->Colors == other.Colors && this->Opacities == other.Opacities &&
+    this->ColorTime == other.ColorTime && this->OpacityTime == other.OpacityTime;
+}
+
+bool SampledTransfer::Find(const TransferFunctions& functions, std::string& error)
+{
+  return this->Find({ Found(functions) }, 1.0, error);
+}
+
+bool SampledTransfer::FindMixture(const TransferFunctions& functions, double share,
+  const TransferFunctions& others, std::string& error)
+{
+  return this->Find({ Found(functions), Found(others) }, share, error);
+}
+
+bool SampledTransfer::Find(const std::vector<Found>& sources, double share, std::string& error)
+{
+  if (this->Sources == sources && this->Share == share)
   {
     return true;
   }
-  this->Functions.reset();
+  this->Sources.clear();
   this->Transfer.Nodes.clear();
-  if (!FindNodes(functions, this->Nodes, error))
+  std::vector<double> nodes;
+  for (const Found& source : sources)
   {
-    return false;
+    if (!FindNodes(source.Functions, this->Nodes, error))
+    {
+      return false;
+    }
+    nodes.insert(nodes.end(), this->Nodes.begin(), this->Nodes.end());
   }
-  this->Functions = functions;
-  this->Colors = functions.Colors();
-  this->Opacities = functions.Opacity;
-  this->ColorTime = colorTime;
-  this->OpacityTime = opacityTime;
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  this->Nodes.swap(nodes);
+  this->Sources = sources;
+  this->Share = share;
   return true;
 }
 
+/// The surroundings of nodes that lie close together, if the other nodes in a range are so far away
+/// that samples between all of them would not tell the close ones apart; else the range.
 glm::dvec2 SampledTransfer::RangeOfCloseNodes(const glm::dvec2& range) const
 {
   // A gap of so many times their width leaves too few samples to close nodes.
@@ -340,14 +393,34 @@ glm::dvec2 SampledTransfer::RangeOfCloseNodes(const glm::dvec2& range) const
 
 const TransferFunction& SampledTransfer::Sample(const AskedValues& asked)
 {
-  assert(this->Functions);
+  assert(!this->Sources.empty());
   if (this->Transfer.Nodes.empty() || !(this->Asked == asked))
   {
-    this->Transfer = SampleFunctions(*this->Functions, this->Nodes, asked);
+    this->Transfer = SampleFunctions(this->Sources.front().Functions, this->Nodes, asked);
+    if (this->Sources.size() > 1)
+    {
+      const TransferFunction others =
+        SampleFunctions(this->Sources.back().Functions, this->Nodes, asked);
+      MixIn(others, 1.0 - this->Share, this->Transfer);
+    }
     Thin(this->Transfer);
     this->Asked = asked;
   }
   return this->Transfer;
+}
+
+const TransferFunction& SampledTransfer::SampleFor(
+  const Field& field, const glm::dvec2& range, bool mayLeaveOutRare)
+{
+  AskedValues asked{ Rounded(range), {}, false };
+  asked.Dense = asked.Range;
+  const glm::dvec2 close = this->RangeOfCloseNodes(asked.Range);
+  if (mayLeaveOutRare && close != asked.Range && field.HasCells() &&
+    AreRareBeyond(field, close, range))
+  {
+    asked.Dense = close;
+  }
+  return this->Sample(asked);
 }
 
 }

@@ -11,7 +11,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,25 +43,46 @@ inline bool operator==(const AskedValues& a, const AskedValues& b)
 class SampledTransfer
 {
 public:
-  /// Take the functions of a component.
+  /// Take functions.
   /// \param error receives the mistake and its remedy
   /// \return false on error, for example if a node is NaN
-  bool Find(vtkVolumeProperty* property, int component, std::string& error);
+  bool Find(const TransferFunctions& functions, std::string& error);
 
-  /// The surroundings of nodes that lie close together, if the other nodes in a range are so far
-  /// away that samples between all of them would not tell the close ones apart; else the range.
-  glm::dvec2 RangeOfCloseNodes(const glm::dvec2& range) const;
+  /// Take a mixture of functions, as VTK's masks mix: others that have no opacity count as black.
+  /// \param share of the functions; the rest is that of the others
+  bool FindMixture(const TransferFunctions& functions, double share,
+    const TransferFunctions& others, std::string& error);
 
   /// Sample the found functions unless known samples fit.
   const TransferFunction& Sample(const AskedValues& asked);
 
+  /// Sample the found functions for the values of a field.
+  /// \param range            of the values
+  /// \param mayLeaveOutRare  far values that hardly any sample has may look alike
+  const TransferFunction& SampleFor(
+    const Field& field, const glm::dvec2& range, bool mayLeaveOutRare = true);
+
 private:
-  TransferFunction Transfer;                    ///< without nodes if out of date
-  AskedValues Asked{};                          ///< of Transfer
-  std::vector<double> Nodes;                    ///< of the functions
-  std::optional<TransferFunctions> Functions;   ///< found functions
-  vtkSmartPointer<vtkObject> Colors, Opacities; ///< own the functions
-  vtkMTimeType ColorTime = 0, OpacityTime = 0;
+  glm::dvec2 RangeOfCloseNodes(const glm::dvec2& range) const;
+
+  /// Functions that were found.
+  struct Found
+  {
+    explicit Found(const TransferFunctions& functions);
+    bool operator==(const Found& other) const;
+
+    TransferFunctions Functions;
+    vtkSmartPointer<vtkObject> Colors, Opacities; ///< own the functions
+    vtkMTimeType ColorTime = 0, OpacityTime = 0;
+  };
+
+  bool Find(const std::vector<Found>& sources, double share, std::string& error);
+
+  TransferFunction Transfer;  ///< without nodes if out of date
+  AskedValues Asked{};        ///< of Transfer
+  std::vector<double> Nodes;  ///< of all functions
+  std::vector<Found> Sources; ///< the functions and, in a mixture, the others
+  double Share = 1.0;         ///< of the functions
 };
 
 }

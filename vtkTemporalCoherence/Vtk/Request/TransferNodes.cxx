@@ -45,14 +45,15 @@ bool CheckNodes(vtkPiecewiseFunction* function, const NumberRange& allowed, cons
   return true;
 }
 
-bool CheckNodes(vtkColorTransferFunction* function, std::vector<double>& nodes, std::string& error)
+/// \param name of the function, in words
+bool CheckNodes(vtkColorTransferFunction* function, const char* name, const char* remedy,
+  std::vector<double>& nodes, std::string& error)
 {
-  const char* const remedy = "GetRGBTransferFunction()->SetNodeValue or AddRGBPoint";
   for (int i = 0; i < function->GetSize(); ++i)
   {
     double node[6]; // position, colour, midpoint, sharpness
     function->GetNodeValue(i, node);
-    SettingCheck check({ "node", i, "the colours of the volume's property" }, error);
+    SettingCheck check({ "node", i, name }, error);
     check("Position", node[0], Allowed::FieldValue, remedy);
     check("Colour", node + 1, Allowed::Color, remedy);
     if (!CheckShape(check, node + 4, remedy))
@@ -64,15 +65,29 @@ bool CheckNodes(vtkColorTransferFunction* function, std::vector<double>& nodes, 
   return true;
 }
 
+/// \param label that has the function; 0: none
+std::string NameOf(const char* function, int label)
+{
+  return std::string(function) + (label != 0 ? " of label " + std::to_string(label) : "") +
+    " of the volume's property";
+}
+
 bool CheckNodes(const TransferFunctions& functions, std::vector<double>& nodes, std::string& error)
 {
+  const std::string colors = NameOf("the colours", functions.LabelOfColor);
+  const std::string opacity = NameOf("the scalar opacity", functions.LabelOfOpacity);
   const bool areColorsFine = functions.Color
-    ? CheckNodes(functions.Color, nodes, error)
+    ? CheckNodes(functions.Color, colors.c_str(),
+        functions.LabelOfColor != 0 ? "GetLabelColor(label)->SetNodeValue or AddRGBPoint"
+                                    : "GetRGBTransferFunction()->SetNodeValue or AddRGBPoint",
+        nodes, error)
     : CheckNodes(functions.Gray, Allowed::Color, "the gray values of the volume's property",
         "GetGrayTransferFunction()->SetNodeValue or AddPoint", nodes, error);
   return areColorsFine &&
-    CheckNodes(functions.Opacity, Allowed::Opacity, "the scalar opacity of the volume's property",
-      "GetScalarOpacity()->SetNodeValue or AddPoint", nodes, error);
+    CheckNodes(functions.Opacity, Allowed::Opacity, opacity.c_str(),
+      functions.LabelOfOpacity != 0 ? "GetLabelScalarOpacity(label)->SetNodeValue or AddPoint"
+                                    : "GetScalarOpacity()->SetNodeValue or AddPoint",
+      nodes, error);
 }
 
 }
@@ -88,6 +103,21 @@ TransferFunctions::TransferFunctions(vtkVolumeProperty* property, int component)
     this->Gray = property->GetGrayTransferFunction(component);
   }
   this->Opacity = property->GetScalarOpacity(component);
+}
+
+TransferFunctions::TransferFunctions(vtkVolumeProperty* property, int component, int label)
+  : TransferFunctions(property, component)
+{
+  if (vtkColorTransferFunction* const own = property->GetLabelColor(label))
+  {
+    this->Color = own;
+    this->LabelOfColor = label;
+  }
+  if (vtkPiecewiseFunction* const own = property->GetLabelScalarOpacity(label))
+  {
+    this->Opacity = own;
+    this->LabelOfOpacity = label;
+  }
 }
 
 vtkObject* TransferFunctions::Colors() const

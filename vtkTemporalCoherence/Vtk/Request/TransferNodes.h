@@ -18,16 +18,20 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The functions of values of a component. The pointers are not owned.
+/// The functions of values of a component, or of a label of a mask. The pointers are not owned.
 struct TransferFunctions
 {
   TransferFunctions(vtkVolumeProperty* property, int component);
+
+  /// The functions of a label above 0. Functions that it lacks are the component's.
+  TransferFunctions(vtkVolumeProperty* property, int component, int label);
 
   vtkObject* Colors() const;
 
   vtkColorTransferFunction* Color = nullptr; ///< or null
   vtkPiecewiseFunction* Gray = nullptr;      ///< used if Color is null
   vtkPiecewiseFunction* Opacity = nullptr;
+  int LabelOfColor = 0, LabelOfOpacity = 0; ///< whose functions they are; 0: the component's
 };
 
 /// Find the values at which functions have nodes: ascending, each once. Without nodes, {0}.

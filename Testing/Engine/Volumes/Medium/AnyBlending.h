@@ -6,6 +6,7 @@
 #include "BlendCase.h"
 #include "Lattice/Coordinates.h"
 #include "Scene/HiddenCells.h"
+#include "Scene/LabelSets.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// A blended volume of anything that the engine takes, by a seed: any type, kind of cells, number
@@ -22,7 +24,8 @@
 class AnyBlending
 {
 public:
-  explicit AnyBlending(unsigned int seed)
+  /// \param hasLabels parts of a volume of one component have looks of their own
+  explicit AnyBlending(unsigned int seed, bool hasLabels = false)
     : Random(seed)
   {
     this->Size = { this->Edge(), this->Edge(), this->Edge() };
@@ -38,6 +41,10 @@ public:
     {
       this->Key.Appearance.ColorScale = this->Real(-0.5, 3.0);
       this->Key.Appearance.ColorShift = this->Real(-0.5, 0.5);
+    }
+    if (hasLabels && components == 1)
+    {
+      this->MakeLabels();
     }
   }
   AnyBlending(const AnyBlending&) = delete;
@@ -370,6 +377,41 @@ private:
     this->Key.Appearance.TwoSided = this->Chance(0.5);
   }
 
+  /// Labels in blocks or at random, some of which have looks of their own.
+  void MakeLabels()
+  {
+    using namespace TemporalCoherence;
+    const int edge = this->OneOf({ 1, 2, 5 });
+    for (int i = 0; i < this->Size.x * this->Size.y * this->Size.z; ++i)
+    {
+      const glm::ivec3 block(glm::ivec3(i % this->Size.x, i / this->Size.x % this->Size.y,
+                               i / this->Size.x / this->Size.y) /
+        edge);
+      const int label = edge > 1 ? (block.x + 3 * block.y + 5 * block.z) % 7 : this->Whole(0, 6);
+      this->Labels.push_back(static_cast<std::int16_t>(100 * label));
+    }
+    LabelMap map;
+    map.Samples.Samples = this->Labels.data();
+    map.Samples.Type = ScalarType::Int16;
+    map.Samples.Dimensions = this->Size;
+    map.Samples.Strides = { 1, this->Size.x,
+      static_cast<std::int64_t>(this->Size.x) * this->Size.y };
+    map.Samples.Labels = LabelSets::Make(map.Samples);
+    for (const int label : { 100, 200, 400, 600, 5000 })
+    {
+      if (this->Chance(0.6))
+      {
+        map.Looks.push_back({ label, this->MakeLook() });
+        ComponentLook& look = map.Looks.back().Look;
+        look.Weight = 1.0;
+        look.ByGradient.PerStep = this->Key.Blended().Looks.front().ByGradient.PerStep;
+      }
+    }
+    this->Key.Blended().Mode = BlendMode::Composite;
+    this->Key.Blended().Labels = std::make_shared<const LabelMap>(std::move(map));
+    this->Words << ", labels in blocks of " << edge;
+  }
+
   std::mt19937 Random;
   glm::ivec3 Size;
   glm::dvec2 Range{ 0.0 };
@@ -377,6 +419,7 @@ private:
   bool HasHoles = false; ///< some samples are not finite
   std::vector<std::byte> Bytes;
   std::vector<std::uint8_t> Flags;
+  std::vector<std::int16_t> Labels;
   std::ostringstream Words;
 };
 

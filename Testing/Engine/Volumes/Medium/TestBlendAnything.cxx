@@ -25,9 +25,9 @@ std::pair<unsigned int, unsigned int> Seeds()
 }
 
 /// How far the volume of a seed is from its integral: nowhere by more than 3/255.
-BlendErrors ErrorsOf(unsigned int seed)
+BlendErrors ErrorsOf(unsigned int seed, bool hasLabels = false)
 {
-  const AnyBlending any(seed);
+  const AnyBlending any(seed, hasLabels);
   const BlendErrors errors =
     CompareWithTruth(any.Key, BlendedFrame(any.Key), 3, any.Coordinates.get());
   EXPECT_EQ(errors.BeyondThree, 0)
@@ -50,11 +50,27 @@ TEST(BlendAnything, IsTheIntegral)
   EXPECT_LE(beyondOne * 1000, compared * PixelsForOne) << "of " << compared;
 }
 
+/// So do volumes whose parts have looks of their own.
+TEST(BlendAnything, WithLabelsIsTheIntegral)
+{
+  const auto [first, last] = Seeds();
+  int compared = 0, beyondOne = 0;
+  for (unsigned int seed = first; seed <= last; ++seed)
+  {
+    const BlendErrors errors = ErrorsOf(seed, true);
+    compared += errors.Compared;
+    beyondOne += errors.BeyondOne;
+  }
+  EXPECT_LE(beyondOne * 1000, compared * PixelsForOne) << "of " << compared;
+}
+
 /// A ray that enters a cell at a peak of opacity 1 saw nothing behind it.
 TEST(BlendAnything, PeaksAtFacesAreNoWalls)
 {
   ErrorsOf(11066);
   ErrorsOf(11755);
+  ErrorsOf(110, true);
+  ErrorsOf(1711, true);
 }
 
 }

@@ -13,7 +13,8 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// The ranges of values with an opacity. Each contains its Low, but not its High.
+}
+
 std::vector<ValueBand> OpaqueBands(const TransferFunction& transfer)
 {
   const std::vector<glm::dvec4>& nodes = transfer.Nodes;
@@ -40,8 +41,6 @@ std::vector<ValueBand> OpaqueBands(const TransferFunction& transfer)
     }
   }
   return bands;
-}
-
 }
 
 std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending)

@@ -11,6 +11,9 @@
 namespace TemporalCoherence
 {
 
+/// The ranges of values with an opacity, ascending. Each contains its Low, but not its High.
+std::vector<ValueBand> OpaqueBands(const TransferFunction& transfer);
+
 /// The ranges of visible values, ascending; other values are transparent. Returns nullopt if every
 /// value may be visible, or if there are several components.
 std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending);

@@ -24,6 +24,14 @@ public:
   {
   }
 
+  /// The look of a label (LabelMap) of a volume with one component. Both outlive this.
+  ComponentLooks(const Blending& volume, const ComponentLook& ofLabel)
+    : Volume(volume)
+    , OfLabel(&ofLabel)
+    , NumberOfComponents(1)
+  {
+  }
+
   std::size_t Components() const { return this->NumberOfComponents; }
 
   bool AreIndependent() const
@@ -36,7 +44,8 @@ public:
 
   const ComponentLook& Of(std::size_t part) const
   {
-    return this->Volume.Looks[std::min(part, this->Volume.Looks.size() - 1)];
+    return this->OfLabel ? *this->OfLabel
+                         : this->Volume.Looks[std::min(part, this->Volume.Looks.size() - 1)];
   }
 
   /// The weight of a part in the blend.
@@ -95,6 +104,7 @@ public:
 
 private:
   const Blending& Volume;
+  const ComponentLook* OfLabel = nullptr;
   std::size_t NumberOfComponents;
 };
 

@@ -43,7 +43,37 @@ struct ComponentSegment
     return this->Nearest.Corners[step];
   }
 
+  /// A part of a segment of one component.
+  /// \param nearest    samples on the segment
+  /// \param first, end of the nearest samples on the part
+  ComponentSegment Part(const NearestPath& nearest, std::size_t first, std::size_t end) const
+  {
+    const bool isLast = end == nearest.Count;
+    const double from = nearest.Shares[first], to = isLast ? 1.0 : nearest.Shares[end];
+    ComponentSegment part = *this;
+    part.Enter = this->DistanceAt(from);
+    part.Leave = isLast ? this->Leave : this->DistanceAt(to);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      part.Path.Begin[a] = Mix(this->Path.Begin[a], this->Path.End[a], from);
+      part.Path.End[a] = Mix(this->Path.Begin[a], this->Path.End[a], to);
+    }
+    if (!this->IsNearest)
+    {
+      part.Cubics[0] = CubicAlong(part.Samples[0], part.Path);
+      return part;
+    }
+    part.Nearest.Count = end - first;
+    for (std::size_t step = first; step < end; ++step)
+    {
+      part.Nearest.Corners[step - first] = nearest.Corners[step];
+      part.Nearest.Shares[step - first] = (nearest.Shares[step] - from) / (to - from);
+    }
+    return part;
+  }
+
   glm::ivec3 Cell;
+  std::size_t Look = 0;  ///< in LooksByLabel
   double Enter, Leave;   ///< t
   CellPath<double> Path; ///< in the coordinates of the cell
   bool IsNearest;

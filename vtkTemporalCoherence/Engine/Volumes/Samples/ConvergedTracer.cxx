@@ -4,6 +4,7 @@
 
 #include "Volumes/Samples/ComponentLooks.h"
 #include "Volumes/Samples/LookTables.h"
+#include "Volumes/Samples/LooksByLabel.h"
 #include "Volumes/Samples/MediumParts.h"
 #include "Volumes/Samples/SegmentBreaks.h"
 
@@ -11,6 +12,9 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -22,6 +26,10 @@ constexpr float LeastPassed = 1.0f / 1024.0f;
 
 /// Segments of a batch: at first, and at most. Segments behind an opaque one are prepared in vain.
 constexpr std::size_t FirstSegments = 2, MostSegments = 12;
+
+/// Parts of a segment that are at most this share of it show nothing: rounding puts bends beside
+/// the end of a segment, where a peak of opacity 1 would be a wall.
+constexpr double NoPart = 1e-7;
 
 /// Blends one ray after the other. It collects segments, and integrates them in batches.
 class RayBlender
@@ -127,7 +135,7 @@ private:
         {
           at[c] = this->Tables.ScaleOf(c).Of(segment.ValueAt(c, 0.5 * (from + to)));
         }
-        if (breaks.AreEven() || this->Tables.IsSeen(at, at))
+        if (to - from > NoPart && (breaks.AreEven() || this->Tables.IsSeen(at, at)))
         {
           this->Parts.AddPart(static_cast<float>(from), static_cast<float>(to), breaks.AreEven());
         }
@@ -235,12 +243,101 @@ private:
   std::size_t Enough = FirstSegments;
 };
 
+/// The looks of a volume, and their tables, each made when a ray first meets the look.
+class TabledLooks
+{
+public:
+  explicit TabledLooks(const BlendScene& scene)
+    : Scene(scene)
+    , Looks(scene.Key.Blended())
+    , Tables(Looks.Count())
+    , AreMade(Looks.Count())
+  {
+  }
+
+  std::size_t Count() const { return this->Looks.Count(); }
+
+  RayBlender BlenderOf(std::size_t look, const SegmentSource& cells) const
+  {
+    std::call_once(this->AreMade[look],
+      [&] { this->Tables[look] = std::make_unique<LookTables>(this->Scene, this->Looks[look]); });
+    return { this->Looks[look], *this->Tables[look], cells };
+  }
+
+private:
+  BlendScene Scene;
+  LooksByLabel Looks;
+  mutable std::vector<std::unique_ptr<const LookTables>> Tables;
+  mutable std::vector<std::once_flag> AreMade;
+};
+
+/// Blends rays through segments of all looks, with a RayBlender for each look that is met.
+class LookBlender
+{
+public:
+  LookBlender(const TabledLooks& looks, const SegmentSource& cells)
+    : Looks(looks)
+    , Cells(cells)
+    , Blenders(looks.Count())
+  {
+  }
+
+  /// Begin with a ray: see RayBlender.
+  void Begin(const Veil& seen, double begin, const glm::dvec3& point, const glm::dvec3& direction)
+  {
+    this->Seen = seen;
+    this->First = std::numeric_limits<double>::infinity();
+    this->BeginOfRay = begin;
+    this->Point = point;
+    this->Direction = direction;
+    this->Present = nullptr;
+  }
+
+  /// \return false if nothing can be seen behind a segment
+  bool Add(const ComponentSegment& segment)
+  {
+    std::unique_ptr<RayBlender>& blender = this->Blenders[segment.Look];
+    if (!blender)
+    {
+      blender = std::make_unique<RayBlender>(this->Looks.BlenderOf(segment.Look, this->Cells));
+    }
+    if (blender.get() != this->Present)
+    {
+      this->Blend();
+      blender->Begin(this->Seen, this->BeginOfRay, this->Point, this->Direction);
+      this->Present = blender.get();
+    }
+    return this->Seen.Passed > LeastPassed && this->Present->Add(segment);
+  }
+
+  /// Integrate the segments added so far.
+  void Blend()
+  {
+    if (this->Present)
+    {
+      this->Present->Blend();
+      this->Seen = this->Present->Seen;
+      this->First = std::min(this->First, this->Present->First);
+    }
+  }
+
+  Veil Seen;
+  double First = std::numeric_limits<double>::infinity(); ///< t of the first visible part
+
+private:
+  const TabledLooks& Looks;
+  const SegmentSource& Cells;
+  std::vector<std::unique_ptr<RayBlender>> Blenders; ///< by look; null before it is met
+  RayBlender* Present = nullptr;                     ///< of the last segment
+  double BeginOfRay = 0.0;
+  glm::dvec3 Point{ 0.0 }, Direction{ 0.0 };
+};
+
 class ConvergedTracer final : public BlendTracer
 {
 public:
   ConvergedTracer(const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make)
-    : Looks(scene.Key.Blended())
-    , Tables(scene, Looks)
+    : Looks(scene)
     , WorldFromIndex(scene.Key.Transform.WorldFromIndex)
     , Cells(make(scene, grid))
   {
@@ -248,7 +345,7 @@ public:
 
   void Trace(const RayBatch& rays, const WorldDirections& world, BlendedRays& seen) const override
   {
-    RayBlender blender(this->Looks, this->Tables, *this->Cells);
+    LookBlender blender(this->Looks, *this->Cells);
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
       if (rays.HasWalk(ray) && seen.Passed[ray] > LeastPassed)
@@ -260,7 +357,7 @@ public:
 
 private:
   void Blend(const RayBatch& rays, const WorldDirections& world, std::size_t ray,
-    RayBlender& blender, BlendedRays& seen) const
+    LookBlender& blender, BlendedRays& seen) const
   {
     const double begin = rays.Begin[ray];
     const glm::dvec3 origin(rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray]);
@@ -281,8 +378,7 @@ private:
     seen.First[ray] = std::min(seen.First[ray], blender.First);
   }
 
-  ComponentLooks Looks;
-  LookTables Tables;
+  TabledLooks Looks;
   glm::dmat4 WorldFromIndex;
   std::unique_ptr<const SegmentSource> Cells;
 };

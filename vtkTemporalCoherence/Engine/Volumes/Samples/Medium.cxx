@@ -10,10 +10,10 @@
 namespace TemporalCoherence
 {
 
-SegmentMedium::SegmentMedium(const FrameKey& key, const ComponentLooks& looks,
+SegmentMedium::SegmentMedium(const FrameKey& key, const LooksByLabel& looks,
   const SegmentSource& cells, const RayBatch& rays, const WorldDirections& world, std::size_t ray)
   : Key(key)
-  , Looks(looks)
+  , AllLooks(looks)
   , Cells(cells)
   , Direction(world[0][ray], world[1][ray], world[2][ray])
   , WorldFromGradient(glm::transpose(glm::dmat3(key.Transform.IndexFromWorld)))
@@ -25,6 +25,7 @@ SegmentMedium::SegmentMedium(const FrameKey& key, const ComponentLooks& looks,
 void SegmentMedium::Enter(const ComponentSegment& segment)
 {
   this->Present = &segment;
+  this->Looks = &this->AllLooks[segment.Look];
   this->HasGradients.fill(false);
 }
 
@@ -57,18 +58,18 @@ glm::dvec3 SegmentMedium::GradientAt(std::size_t component, double share)
 SegmentMedium::Part SegmentMedium::PartAt(std::size_t part, double share)
 {
   ComponentValues values{};
-  for (std::size_t c = 0; c < this->Looks.Components(); ++c)
+  for (std::size_t c = 0; c < this->Looks->Components(); ++c)
   {
     values[c] = this->Present->ValueAt(c, share);
   }
-  const glm::dvec4 color = this->Looks.ColorOf(part, values);
+  const glm::dvec4 color = this->Looks->ColorOf(part, values);
   Part result{ glm::dvec3(color), color.w, 1.0 };
-  const ComponentLook& look = this->Looks.Of(part);
+  const ComponentLook& look = this->Looks->Of(part);
   if (!(result.Opacity > 0.0) || (!look.Material.Shade && look.ByGradient.Nodes.empty()))
   {
     return result;
   }
-  const glm::dvec3 gradient = this->GradientAt(this->Looks.GradientOf(part), share);
+  const glm::dvec3 gradient = this->GradientAt(this->Looks->GradientOf(part), share);
   if (!look.ByGradient.Nodes.empty())
   {
     result.Share = look.ByGradient.At(glm::length(look.ByGradient.PerStep * gradient));
@@ -87,14 +88,14 @@ Medium SegmentMedium::StepAt(double share, double length)
 {
   Medium medium;
   double squares = 0.0, weighed = 0.0;
-  for (std::size_t i = 0; i < this->Looks.Parts(); ++i)
+  for (std::size_t i = 0; i < this->Looks->Parts(); ++i)
   {
-    const double weight = this->Looks.WeightOf(i);
+    const double weight = this->Looks->WeightOf(i);
     if (weight > 0.0)
     {
       const Part part = this->PartAt(i, share);
       const double alpha =
-        (1.0 - std::pow(1.0 - part.Opacity, length / this->Looks.Of(i).UnitDistance)) * part.Share;
+        (1.0 - std::pow(1.0 - part.Opacity, length / this->Looks->Of(i).UnitDistance)) * part.Share;
       medium.Emission += weight * alpha * part.Color;
       squares += alpha * alpha;
       weighed += weight * alpha;

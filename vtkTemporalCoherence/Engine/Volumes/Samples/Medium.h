@@ -5,8 +5,8 @@
 
 #include "Scene/FrameKey.h"
 #include "Scene/TileHits.h"
-#include "Volumes/Samples/ComponentLooks.h"
 #include "Volumes/Samples/ComponentSegment.h"
+#include "Volumes/Samples/LooksByLabel.h"
 
 #include <glm/glm.hpp>
 
@@ -28,7 +28,7 @@ class SegmentMedium
 {
 public:
   /// \param cells give gradients; key, looks and cells outlive this
-  SegmentMedium(const FrameKey& key, const ComponentLooks& looks, const SegmentSource& cells,
+  SegmentMedium(const FrameKey& key, const LooksByLabel& looks, const SegmentSource& cells,
     const RayBatch& rays, const WorldDirections& world, std::size_t ray);
 
   /// Go to a segment of the ray, which outlives the look-ups.
@@ -50,11 +50,12 @@ private:
   glm::dvec3 GradientAt(std::size_t component, double share);
 
   const FrameKey& Key;
-  const ComponentLooks& Looks;
+  const LooksByLabel& AllLooks;
   const SegmentSource& Cells;
   glm::dvec3 Origin, Direction; ///< of the ray, in the world
   glm::dmat3 WorldFromGradient; ///< for normals
   const ComponentSegment* Present = nullptr;
+  const ComponentLooks* Looks = nullptr;    ///< of the present segment
   std::array<CornerGradients, 4> Gradients; ///< of the present cell, by component
   std::array<bool, 4> HasGradients{};
 };

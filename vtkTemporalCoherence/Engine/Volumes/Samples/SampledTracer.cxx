@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/Samples/SampledTracer.h"
 
-#include "Volumes/Samples/ComponentLooks.h"
+#include "Volumes/Samples/LooksByLabel.h"
 #include "Volumes/Samples/Medium.h"
 #include "Volumes/Samples/RaySamples.h"
 
@@ -72,7 +72,7 @@ private:
   }
 
   const FrameKey& Key;
-  ComponentLooks Looks;
+  LooksByLabel Looks;
   RaySamples Samples;
   std::unique_ptr<const SegmentSource> Cells;
 };

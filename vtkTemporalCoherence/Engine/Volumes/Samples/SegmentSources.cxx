@@ -10,12 +10,14 @@
 #include "Scene/Field.h"
 #include "Scene/HiddenCells.h"
 #include "Volumes/Medium/BlendTracer.h"
+#include "Volumes/Samples/LabelledSegments.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -214,8 +216,10 @@ private:
 
 }
 
-std::unique_ptr<const SegmentSource> MakeSegmentSource(
-  const BlendScene& scene, const GridCoordinates* grid)
+namespace
+{
+
+std::unique_ptr<const SegmentSource> MakeWalk(const BlendScene& scene, const GridCoordinates* grid)
 {
   return DispatchScalarType(scene.Key.Samples.Type,
     [&](auto type) -> std::unique_ptr<const SegmentSource>
@@ -228,6 +232,16 @@ std::unique_ptr<const SegmentSource> MakeSegmentSource(
       }
       return std::make_unique<ComponentWalk<T, UniformCells<T>>>(scene, UniformCells<T>(), grid);
     });
+}
+
+}
+
+std::unique_ptr<const SegmentSource> MakeSegmentSource(
+  const BlendScene& scene, const GridCoordinates* grid)
+{
+  std::unique_ptr<const SegmentSource> walk = MakeWalk(scene, grid);
+  const auto& labels = scene.Key.Blended().Labels;
+  return labels ? MakeLabelledSegments(*labels, std::move(walk)) : std::move(walk);
 }
 
 }

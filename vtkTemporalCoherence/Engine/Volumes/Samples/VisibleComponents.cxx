@@ -2,36 +2,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/Samples/VisibleComponents.h"
 
+#include "Scene/LabelSets.h"
 #include "Volumes/Medium/VisibleBands.h"
 #include "Volumes/Samples/ComponentLooks.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace TemporalCoherence
 {
 
-std::optional<std::vector<std::vector<ValueBand>>> VisibleComponents(const Blending& volume)
+namespace
 {
-  using Bands = std::vector<ValueBand>;
+
+using Bands = std::vector<ValueBand>;
+
+/// The bits of labels with the volume's look.
+std::uint64_t BitsOfOthers(const LabelMap& map)
+{
+  std::uint64_t bits = 0;
+  for (const std::int64_t label : map.Samples.Labels->Labels())
+  {
+    const auto own = std::lower_bound(map.Looks.begin(), map.Looks.end(), label,
+      [](const LabelledLook& look, std::int64_t value) { return look.Label < value; });
+    if (own == map.Looks.end() || own->Label != label)
+    {
+      bits |= LabelSets::BitOf(label);
+    }
+  }
+  return bits;
+}
+
+/// Add ranges that count for some labels, together with others that are equal.
+void Add(const Bands& bands, std::uint64_t labelBits, std::vector<SeenBands>& all)
+{
+  const auto same = std::find_if(
+    all.begin() + 1, all.end(), [&](const SeenBands& other) { return other.Bands == bands; });
+  if (same != all.end())
+  {
+    same->LabelBits |= labelBits;
+  }
+  else if (!bands.empty())
+  {
+    all.push_back({ 0, bands, true, labelBits });
+  }
+}
+
+std::vector<SeenBands> VisibleLabels(const Blending& volume)
+{
+  const LabelMap& map = *volume.Labels;
+  std::vector<SeenBands> all(1); // nothing counts for all labels
+  Add(OpaqueBands(volume.Looks.front().Transfer), BitsOfOthers(map), all);
+  for (const LabelledLook& own : map.Looks)
+  {
+    Add(OpaqueBands(own.Look.Transfer), LabelSets::BitOf(own.Label), all);
+  }
+  return all;
+}
+
+}
+
+std::optional<std::vector<SeenBands>> VisibleComponents(const Blending& volume)
+{
+  if (volume.Labels)
+  {
+    return VisibleLabels(volume);
+  }
   if (volume.Others.empty())
   {
     const std::optional<Bands> bands = VisibleBands(volume);
-    return bands ? std::optional(std::vector<Bands>{ *bands }) : std::nullopt;
+    return bands ? std::optional(std::vector<SeenBands>{ { 0, *bands } }) : std::nullopt;
   }
   if (volume.Mode != BlendMode::Composite)
   {
     return std::nullopt;
   }
   const ComponentLooks looks(volume);
-  std::vector<Bands> all(looks.Components());
+  std::vector<SeenBands> all(1);
   for (std::size_t part = 0; part < looks.Parts(); ++part)
   {
+    const std::size_t component = looks.OpacityOf(part);
     if (looks.WeightOf(part) > 0.0)
     {
-      Blending alone;
-      alone.Mode = volume.Mode;
-      alone.Looks = { looks.Of(part) };
-      all[looks.OpacityOf(part)] = *VisibleBands(alone);
+      Bands bands = OpaqueBands(looks.Of(part).Transfer);
+      if (component == 0)
+      {
+        all.front().Bands = std::move(bands);
+      }
+      else if (!bands.empty())
+      {
+        all.push_back({ component, std::move(bands) });
+      }
     }
   }
   return all;

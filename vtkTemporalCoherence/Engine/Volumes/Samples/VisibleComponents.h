@@ -4,16 +4,28 @@
 #define TemporalCoherence_VisibleComponents_h
 
 #include "Scene/Blending.h"
+#include "Scene/Surfaces.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace TemporalCoherence
 {
 
-/// The ranges of visible values of each component, ascending. A place is invisible if all
-/// components lie outside of their ranges. Returns nullopt if any value may be visible.
-std::optional<std::vector<std::vector<ValueBand>>> VisibleComponents(const Blending& volume);
+/// Ranges of values of a component that can be seen.
+struct SeenBands
+{
+  std::size_t Component = 0;
+  std::vector<ValueBand> Bands;
+  bool HasLabels = false;      ///< Bands count for LabelBits only
+  std::uint64_t LabelBits = 0; ///< LabelSets::BitsOf labels
+};
+
+/// The visible values of each component, as by VisibleBands. The first entry is that of component 0
+/// for all labels. None if all cells may be visible.
+std::optional<std::vector<SeenBands>> VisibleComponents(const Blending& volume);
 
 }
 

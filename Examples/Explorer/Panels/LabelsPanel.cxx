@@ -17,11 +17,8 @@
 namespace
 {
 
-enum Column
-{
-  Name, // with a box: visible
-  Opacity,
-};
+constexpr int NameColumn = 0; // with a box: visible
+constexpr int OpacityColumn = 1;
 
 class LabelList : public QWidget
 {
@@ -40,7 +37,7 @@ public:
       tr("A label a row: tick it to see it, double click for another colour or opacity"));
     this->Table->verticalHeader()->hide();
     this->Table->setHorizontalHeaderLabels({ tr("Label"), tr("Opacity") });
-    this->Table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    this->Table->horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
     this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
     this->Table->setTabKeyNavigation(false);
     auto* rows = new QVBoxLayout(this);
@@ -59,7 +56,7 @@ public:
     QObject::connect(this->Table, &QTableWidget::cellDoubleClicked, this,
       [this](int row, int column)
       {
-        if (column == Name)
+        if (column == NameColumn)
         {
           this->AskColor(static_cast<std::size_t>(row));
         }
@@ -94,19 +91,20 @@ public:
     {
       QPixmap color(16, 16);
       color.fill(ToQColor(label.Color));
-      QTableWidgetItem& name = this->ItemAt(row, Name);
+      QTableWidgetItem& name = this->ItemAt(row, NameColumn);
       name.setIcon(QIcon(color));
       name.setText(
         QString("%1 %2").arg(label.Label).arg(QString::fromStdString(label.Name)).trimmed());
       name.setFlags(name.flags() & ~Qt::ItemIsEditable);
       name.setCheckState(label.IsVisible ? Qt::Checked : Qt::Unchecked);
-      this->ItemAt(row++, Opacity).setText(tr("%1 %").arg(std::lround(100.0 * label.Opacity)));
+      this->ItemAt(row++, OpacityColumn)
+        .setText(tr("%1 %").arg(std::lround(100.0 * label.Opacity)));
     }
     this->Find();
   }
 
 private:
-  QTableWidgetItem& ItemAt(int row, Column column)
+  QTableWidgetItem& ItemAt(int row, int column)
   {
     if (!this->Table->item(row, column))
     {
@@ -157,7 +155,7 @@ private:
     const QStringList words = this->Search->text().simplified().split(' ');
     for (int row = 0; row < this->Table->rowCount(); ++row)
     {
-      const QString name = this->Table->item(row, Name)->text();
+      const QString name = this->Table->item(row, NameColumn)->text();
       this->Table->setRowHidden(row,
         !std::all_of(words.begin(), words.end(),
           [&](const QString& word) { return name.contains(word, Qt::CaseInsensitive); }));
@@ -193,7 +191,7 @@ private:
     LabelLook& label = labels[static_cast<std::size_t>(item->row())];
     bool isNumber = false;
     const double percent = QString(item->text()).remove('%').trimmed().toDouble(&isNumber);
-    if (item->column() == Name)
+    if (item->column() == NameColumn)
     {
       label.IsVisible = item->checkState() == Qt::Checked;
     }

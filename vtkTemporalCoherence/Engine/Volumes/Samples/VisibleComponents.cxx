@@ -46,7 +46,10 @@ void Add(const Bands& bands, std::uint64_t labelBits, std::vector<SeenBands>& al
   }
   else if (!bands.empty())
   {
-    all.push_back({ 0, bands, true, labelBits });
+    SeenBands& seen = all.emplace_back();
+    seen.Bands = bands;
+    seen.HasLabels = true;
+    seen.LabelBits = labelBits;
   }
 }
 
@@ -72,8 +75,14 @@ std::optional<std::vector<SeenBands>> VisibleComponents(const Blending& volume)
   }
   if (volume.Others.empty())
   {
-    const std::optional<Bands> bands = VisibleBands(volume);
-    return bands ? std::optional(std::vector<SeenBands>{ { 0, *bands } }) : std::nullopt;
+    std::optional<Bands> bands = VisibleBands(volume);
+    if (!bands)
+    {
+      return std::nullopt;
+    }
+    std::vector<SeenBands> all(1);
+    all.front().Bands = std::move(*bands);
+    return all;
   }
   if (volume.Mode != BlendMode::Composite)
   {
@@ -93,7 +102,9 @@ std::optional<std::vector<SeenBands>> VisibleComponents(const Blending& volume)
       }
       else if (!bands.empty())
       {
-        all.push_back({ component, std::move(bands) });
+        SeenBands& seen = all.emplace_back();
+        seen.Component = component;
+        seen.Bands = std::move(bands);
       }
     }
   }

@@ -629,7 +629,7 @@ check_clipping()
   key e '^frame'
   key ctrl+n '^frame'
   key ctrl+d '^frame'
-  turn_all d drawing surfaces composite maximum minimum average additive
+  turn_all d drawing surfaces composite maximum minimum average additive labels
   key q '^quit'
   expect_end
   say "The volume is clipped by a plane that is dragged, blended, and all is undone"

@@ -360,7 +360,7 @@ void MainWindow::MakeDocks()
       [=]
       {
         const int title = 2 * this->fontMetrics().height();
-        const int height = markers->sizeHint().height() + title;
+        const int height = std::min(markers->sizeHint().height() + title, this->height() - title);
         this->resizeDocks({ surfaces, clip }, { height, this->height() - height }, Qt::Vertical);
       });
   }

@@ -29,7 +29,7 @@ World::World(std::vector<std::uint8_t> bytes)
   , Subject(vtkSmartPointer<Mapper>::New())
 {
   this->Subject->SetAntialiasingToOff();
-  // Kept seeds begin with smaller numbers: their runs stay what they are.
+  // No kept seed begins with a number of the labels: what the other seeds run stays as it was.
   constexpr int firstOfLabels = 128, endOfLabels = 140;
   constexpr int firstOfLayers = 144, firstOfMeshes = 160, firstOfLarge = 240;
   const int first = this->From.Pick(256);

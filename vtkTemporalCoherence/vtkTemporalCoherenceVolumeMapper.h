@@ -84,7 +84,7 @@ public:
    * vtkLookupTable with a value for each label, or another vtkScalarsToColors. Without a table
    * (null, default), they are those of the property's functions at the label's value. Labels with
    * an opacity of 0 and the OutsideLabel (default: 0) are not drawn. A label that the table lacks
-   * is an error. At most 32767 labels can be drawn at once.
+   * is an error. Labels lie from -2147483647 to 2147483647; any number of them is drawn at once.
    *
    * LabelRadius: how far around a point surfaces between labels are smoothed, in samples, up to 8.
    * 0 (default): none, faces of voxels are seen. Labels that touch have one surface in common. It

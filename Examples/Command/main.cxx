@@ -100,7 +100,7 @@ void SetLook(Model& model, const Options& options)
   if (look.Choice(Row::Drawing) == Drawing::Labels && !model.CanBeLabels())
   {
     throw UserError("The samples of " + Quoted(model.Data().Name) +
-      " cannot be labels, which are whole numbers of an image, at most 32767; leave out --draw "
+      " cannot be labels, which are whole numbers of an image, at most 65535; leave out --draw "
       "labels.");
   }
   if (options.Preset)

@@ -113,7 +113,7 @@ std::vector<LabelLook> LabelsNamedBeside(const std::string& volume)
 // All labels but 0, which is the outside. None if the samples can be no labels.
 std::vector<int> LabelsOf(const Volume& volume)
 {
-  constexpr std::size_t most = 32767; // that the mapper draws
+  constexpr std::size_t most = 65535; // in a list that can be used
   std::set<int> found;
   for (vtkDataArray* array :
     AreWholeNumbers(volume) ? ShownArrays(volume) : std::vector<vtkDataArray*>())

@@ -34,9 +34,9 @@ GradientQuery QueryOf(const KernelScene<T>& scene)
     &scene.Key.Isosurfaces().Isovalues };
 }
 
-RayBatch::Array<std::int16_t> FirstSurface()
+RayBatch::Array<SurfaceIndex> FirstSurface()
 {
-  RayBatch::Array<std::int16_t> surfaces;
+  RayBatch::Array<SurfaceIndex> surfaces;
   surfaces.fill(0);
   return surfaces;
 }

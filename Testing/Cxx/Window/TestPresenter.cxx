@@ -99,7 +99,7 @@ public:
       const std::size_t x = i % Size, y = i / Size;
       const bool isHit = x >= 8 && x < 56 && y >= 8 && y < 56;
       frame.Depth[i] = isHit ? 1.0 : std::numeric_limits<double>::infinity();
-      frame.Isovalues[i] = isHit ? std::int16_t(0) : Frame::NoSurface;
+      frame.Isovalues[i] = isHit ? SurfaceIndex(0) : Frame::NoSurface;
       frame.Colors[i] = !isHit ? PixelColor{} : x < 32 ? Opaque : Translucent;
     }
 

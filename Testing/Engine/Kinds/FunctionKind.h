@@ -56,11 +56,11 @@ public:
 private:
   void Find(const RayBatch& rays, bool isFirst, HitBatch& hits) const
   {
-    const auto isovalues = static_cast<std::int16_t>(this->Scene.Isosurfaces.Isovalues.size());
+    const auto isovalues = static_cast<SurfaceIndex>(this->Scene.Isosurfaces.Isovalues.size());
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
       NextHit next(this->Rules, LastOn(this->Rules, rays.Begin[ray], ray, hits));
-      for (std::int16_t i = 0; i < isovalues && this->Rules.IsSolid(); ++i)
+      for (SurfaceIndex i = 0; i < isovalues && this->Rules.IsSolid(); ++i)
       {
         if (rays.Begin[ray] < rays.End[ray] && this->IsInsideAt(rays, ray, rays.Begin[ray], i))
         {
@@ -70,7 +70,7 @@ private:
       BlockWalk walk(rays, ray, this->Scene.Samples.Dimensions - 1, this->Scene.Active);
       while (rays.HasWalk(ray) && !next.IsFound() && walk.Next())
       {
-        for (std::int16_t i = 0; i < isovalues; ++i)
+        for (SurfaceIndex i = 0; i < isovalues; ++i)
         {
           if (isFirst)
           {
@@ -85,7 +85,7 @@ private:
 
   /// A ray enters an active block, where nothing is found yet.
   void Enter(
-    const RayBatch& rays, std::size_t ray, double enter, std::int16_t surface, NextHit& next) const
+    const RayBatch& rays, std::size_t ray, double enter, SurfaceIndex surface, NextHit& next) const
   {
     if (this->Rules.IsSolid() && this->IsInsideAt(rays, ray, enter, surface))
     {
@@ -93,7 +93,7 @@ private:
     }
   }
 
-  double DifferenceAt(const RayBatch& rays, std::size_t ray, double t, std::int16_t surface) const
+  double DifferenceAt(const RayBatch& rays, std::size_t ray, double t, SurfaceIndex surface) const
   {
     glm::dvec3 point;
     for (int axis = 0; axis < 3; ++axis)
@@ -104,7 +104,7 @@ private:
     return this->Function.Value(point) - this->Rules.IsovalueOf(surface);
   }
 
-  bool IsInsideAt(const RayBatch& rays, std::size_t ray, double t, std::int16_t surface) const
+  bool IsInsideAt(const RayBatch& rays, std::size_t ray, double t, SurfaceIndex surface) const
   {
     return IsInside(this->DifferenceAt(rays, ray, t, surface));
   }
@@ -112,7 +112,7 @@ private:
   /// Find where a part of a ray passes an isovalue, by steps that are too short for the function to
   /// get there and back.
   void FindCrossings(const RayBatch& rays, std::size_t ray, const glm::dvec2& part,
-    std::int16_t surface, NextHit& next) const
+    SurfaceIndex surface, NextHit& next) const
   {
     constexpr double Shortest = 1e-3; // of a voxel
     const double perT = glm::length(

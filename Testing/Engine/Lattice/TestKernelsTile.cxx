@@ -94,7 +94,7 @@ TEST_F(KernelsTile, RowsOfPlanes)
     rays.PerDepth[i] = 1.0 + 0.01 * around(engine);
     const bool isMiss = small(engine) == 0;
     hits.Depth[i] = isMiss ? infinity : small(engine) == 0 ? 0.0 : around(engine);
-    hits.Surface[i] = static_cast<std::int16_t>(isMiss ? Frame::NoSurface : small(engine));
+    hits.Surface[i] = static_cast<SurfaceIndex>(isMiss ? Frame::NoSurface : small(engine));
     hits.Kind[i] = isMiss ? HitKind::None : static_cast<HitKind>(small(engine) % 4);
     answers[i] = static_cast<Answer>(small(engine) % 3);
   }

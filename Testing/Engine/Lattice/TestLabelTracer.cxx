@@ -151,7 +151,7 @@ int ExpectTruth(Grid<T>& grid, const std::vector<double>& labels, const glm::dve
       at.Eye = view.Origin;
       at.AreApart = true;
       GradientTile::Vectors gradients;
-      RayBatch::Array<std::int16_t> surfaces;
+      RayBatch::Array<SurfaceIndex> surfaces;
       for (std::size_t ray = 0; ray < 64; ++ray)
       {
         for (std::size_t a = 0; a < 3; ++a)
@@ -159,7 +159,7 @@ int ExpectTruth(Grid<T>& grid, const std::vector<double>& labels, const glm::dve
           at.Begin[a][ray] = rays.Origin[a][ray];
           at.Own[a][ray] = rays.Direction[a][ray];
         }
-        surfaces[ray] = std::max<std::int16_t>(hits.Surface[ray], 0);
+        surfaces[ray] = std::max<SurfaceIndex>(hits.Surface[ray], 0);
         at.T[ray] = std::isfinite(hits.Depth[ray]) ? hits.Depth[ray] : 0.0;
       }
       KindOf(grid.Field)
@@ -313,9 +313,9 @@ TEST(LabelIndex, FindsPositions)
     for (std::size_t i = 0; i < labels.size(); ++i)
     {
       const auto label = static_cast<std::int64_t>(labels[i]);
-      EXPECT_EQ(index.Of(label), static_cast<std::int16_t>(i));
+      EXPECT_EQ(index.Of(label), static_cast<SurfaceIndex>(i));
       EXPECT_EQ(index.Of(label + 1),
-        step > 1.0 || i == 0 ? Frame::NoSurface : static_cast<std::int16_t>(i - 1));
+        step > 1.0 || i == 0 ? Frame::NoSurface : static_cast<SurfaceIndex>(i - 1));
     }
     EXPECT_EQ(index.Of(std::numeric_limits<std::int64_t>::max()), Frame::NoSurface);
     EXPECT_EQ(index.Of(std::numeric_limits<std::int64_t>::lowest()), Frame::NoSurface);

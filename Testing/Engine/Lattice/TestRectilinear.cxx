@@ -231,7 +231,7 @@ TEST(Rectilinear, GradientsAreThoseOfTheWorld)
     grid.Field.Between = between;
     RaysFromPoints rays;
     HitRays::Vectors gradients;
-    RayBatch::Array<std::int16_t> surfaces{};
+    RayBatch::Array<SurfaceIndex> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -272,7 +272,7 @@ TEST(Rectilinear, GradientsOfTheLargestSamplesAreNumbers)
     grid.Field.Shape = RectilinearKind(Stretched(grid.Field.Dimensions, ratio, 3));
     RaysFromPoints rays;
     HitRays::Vectors gradients;
-    RayBatch::Array<std::int16_t> surfaces{};
+    RayBatch::Array<SurfaceIndex> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -308,7 +308,7 @@ TEST(Rectilinear, UniformGradientsAreThoseOfImages)
     rectilinear.Shape = RectilinearKind(Uniform(rectilinear.Dimensions));
     RaysFromPoints rays;
     HitRays::Vectors gradients, others;
-    RayBatch::Array<std::int16_t> surfaces{};
+    RayBatch::Array<SurfaceIndex> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -370,7 +370,7 @@ protected:
   {
     const Frame a = this->Cold(true);
     ExpectSamePicture(a, this->Cold(false));
-    const auto isHit = [](std::int16_t surface) { return surface != Frame::NoSurface; };
+    const auto isHit = [](SurfaceIndex surface) { return surface != Frame::NoSurface; };
     EXPECT_GT(std::count_if(a.Isovalues.begin(), a.Isovalues.end(), isHit), 500);
   }
 

@@ -88,10 +88,10 @@ protected:
       RaysFromPoints rays;
       rays.Count = count;
       Vectors expected;
-      RayBatch::Array<std::int16_t> surfaces;
+      RayBatch::Array<SurfaceIndex> surfaces;
       for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
       {
-        surfaces[i] = static_cast<std::int16_t>(i / 5 % 3);
+        surfaces[i] = static_cast<SurfaceIndex>(i / 5 % 3);
         for (std::size_t a = 0; a < 3; ++a)
         {
           // Some on planes between samples, some a little outside of the field.

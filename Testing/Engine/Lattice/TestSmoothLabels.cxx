@@ -290,7 +290,7 @@ Errors Measure(SmoothGrid<std::uint8_t>& grid, const Normal& normalAt)
       at.Count = 64;
       at.AreApart = true;
       GradientTile::Vectors gradients;
-      RayBatch::Array<std::int16_t> surfaces{};
+      RayBatch::Array<SurfaceIndex> surfaces{};
       for (std::size_t ray = 0; ray < 64; ++ray)
       {
         for (std::size_t a = 0; a < 3; ++a)

@@ -36,7 +36,7 @@ Frame Plain()
   frame.Resize(Size);
   frame.Depth.assign(frame.Depth.size(), 1.0);
   frame.Normals.assign(frame.Depth.size(), glm::vec3(0.0f, 0.0f, 1.0f));
-  frame.Isovalues.assign(frame.Depth.size(), std::int16_t(0));
+  frame.Isovalues.assign(frame.Depth.size(), SurfaceIndex(0));
   frame.Colors.assign(frame.Depth.size(), { 100, 100, 100, 255 });
   return frame;
 }

@@ -160,7 +160,7 @@ TEST_F(Recomposite, TranslucentSurfacesBeginBehindTheHits)
   this->Render("opaque", Route::Cold);
   const std::int64_t hits = std::count_if(this->Renderer.LastFrame().Isovalues.begin(),
     this->Renderer.LastFrame().Isovalues.end(),
-    [](std::int16_t surface) { return surface != Frame::NoSurface; });
+    [](SurfaceIndex surface) { return surface != Frame::NoSurface; });
   this->SetOpacity(0.5);
   this->Render("translucent", Route::Recomposite);
   EXPECT_EQ(this->Statistics().TracedRays, hits);

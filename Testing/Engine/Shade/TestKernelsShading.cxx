@@ -162,10 +162,10 @@ private:
     rays.Own = Vectors{};
     rays.Own[0].fill(1.0);
     const std::vector<double> isovalues = { 0.5 * (range.x + range.y), range.y };
-    RayBatch::Array<std::int16_t> surfaces;
+    RayBatch::Array<SurfaceIndex> surfaces;
     for (std::size_t i = 0; i < surfaces.size(); ++i)
     {
-      surfaces[i] = static_cast<std::int16_t>(i / 3 % 2);
+      surfaces[i] = static_cast<SurfaceIndex>(i / 3 % 2);
     }
     Vectors reference;
     for (std::size_t i = 0; i < count; ++i)

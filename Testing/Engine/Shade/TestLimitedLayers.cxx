@@ -29,7 +29,7 @@ std::int32_t PixelAt(std::size_t place)
 /// Layer number n of a pixel, with the number in its depth and colour.
 LayerHit LayerAt(std::size_t place, std::size_t number)
 {
-  LayerHit hit{ static_cast<double>(number), PixelAt(place), static_cast<std::int16_t>(number % 3),
+  LayerHit hit{ static_cast<double>(number), PixelAt(place), static_cast<SurfaceIndex>(number % 3),
     HitKind::Entry };
   hit.Color.Values = { static_cast<std::uint16_t>(number) };
   return hit;
@@ -99,7 +99,7 @@ void ExpectKept(const std::vector<std::size_t>& counts, std::size_t limit,
     {
       const std::size_t end = i + 1 < expected.size() ? expected[i + 1] : counts[place];
       ASSERT_EQ(ofPixel[i].Depth, static_cast<double>(expected[i])) << "of the first";
-      ASSERT_EQ(ofPixel[i].Isovalue, static_cast<std::int16_t>(expected[i] % 3));
+      ASSERT_EQ(ofPixel[i].Isovalue, static_cast<SurfaceIndex>(expected[i] % 3));
       ASSERT_EQ(NumberIn(ofPixel[i]), end - 1) << "colour of all";
     }
     ASSERT_EQ(merged >> place & 1u, counts[place] > limit ? 1u : 0u);

@@ -301,7 +301,7 @@ std::uint64_t ActiveCells::CellsOfLabels(
         const T* const sample = row + i * field.Strides.x;
         const auto isOther = [&](bool hasNext, std::int64_t stride)
         { return static_cast<std::uint32_t>(hasNext && sample[0] != sample[stride]) << i; };
-        const std::int16_t surface = this->Labels->Of(static_cast<std::int64_t>(*sample));
+        const SurfaceIndex surface = this->Labels->Of(static_cast<std::int64_t>(*sample));
         isDrawn |= static_cast<std::uint32_t>(surface != Frame::NoSurface) << i;
         differs[0] |= isOther(i + 1 < samples.x, field.Strides.x);
         differs[1] |= isOther(j + 1 < samples.y, field.Strides.y);

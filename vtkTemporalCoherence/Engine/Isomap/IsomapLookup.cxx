@@ -307,7 +307,7 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
     else if (ahead < 0.0 && this->Key.Isosurfaces().Mode == SurfaceMode::Threshold)
     {
       this->Rules.CapWhereItBegins(
-        rays.Begin[ray], static_cast<std::int16_t>(surface), ray, found.Hits);
+        rays.Begin[ray], static_cast<SurfaceIndex>(surface), ray, found.Hits);
       which &= ~Bit(ray);
     }
     else if (ahead < 0.0)
@@ -449,7 +449,7 @@ void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
     else if (answer == FitAnswer::Reached && rays.Begin[ray] + point.Distance < hits.Depth[ray])
     {
       hits.Depth[ray] = rays.Begin[ray] + point.Distance;
-      hits.Surface[ray] = static_cast<std::int16_t>(surface);
+      hits.Surface[ray] = static_cast<SurfaceIndex>(surface);
       hits.Kind[ray] =
         HitRules::KindOf(direction == static_cast<std::size_t>(ValueDirection::Falling));
       if (this->HasNormals)

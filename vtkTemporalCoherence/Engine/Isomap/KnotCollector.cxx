@@ -96,7 +96,7 @@ void KnotCollector::FindNormals(const Place* places, std::size_t count,
   rays.AreApart = true;
   rays.T.fill(0.0);
   HitRays::Vectors gradients;
-  RayBatch::Array<std::int16_t> surfaces{};
+  RayBatch::Array<SurfaceIndex> surfaces{};
   for (std::size_t i = 0; i < WholeVectors(count); ++i)
   {
     const auto [ray, distance] = places[std::min(i, count - 1)];

@@ -153,7 +153,7 @@ private:
   {
     CellSurfaces found;
     this->Search.FindCaps(this->Cells, *this->Rays, ray, cell,
-      [&](double distance, HitKind kind, std::int16_t surface) {
+      [&](double distance, HitKind kind, SurfaceIndex surface) {
         this->Insert({ distance, kind, surface }, ray, layers, found);
       });
     for (std::size_t i = 0; i < found.Count && layers.IsOpen(ray); ++i)
@@ -175,7 +175,7 @@ private:
     for (std::size_t surface = 0; surface < count && levels.AreAll(); ++surface)
     {
       CellLevel<Real>& level = levels.All[levels.Count];
-      level.Surface = static_cast<std::int16_t>(surface);
+      level.Surface = static_cast<SurfaceIndex>(surface);
       level.Corners = this->Cells.Differ(samples, surface);
       levels.Count += this->Cells.CanHold(level.Corners);
     }
@@ -188,7 +188,7 @@ private:
     if (segment.HasLength())
     {
       this->Search.Search(this->Cells, segment, this->Cells.Samples.Read(cell),
-        [&](double distance, HitKind kind, std::int16_t surface) {
+        [&](double distance, HitKind kind, SurfaceIndex surface) {
           this->Insert({ distance, kind, surface }, ray, layers, found);
         });
     }

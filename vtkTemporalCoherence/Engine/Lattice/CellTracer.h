@@ -37,7 +37,7 @@ public:
   SearchedCells SearchCells(
     const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override
   {
-    const auto surface = static_cast<std::int16_t>(cells.Surface);
+    const auto surface = static_cast<SurfaceIndex>(cells.Surface);
     std::uint64_t missing = 0;
     for (std::uint64_t left = cells.Rays; left != 0; left &= left - 1)
     {
@@ -114,7 +114,7 @@ private:
       {
         continue;
       }
-      const auto surface = static_cast<std::int16_t>(i);
+      const auto surface = static_cast<SurfaceIndex>(i);
       const Segment segment(line, cell);
       const CellHit found = this->Cells.SearchFor(segment, corners);
       this->Cells.Keep(segment, found, surface, ray, hits);
@@ -136,7 +136,7 @@ private:
       if (IsInside(this->Cells.AtEntry(this->Cells.Differ(samples, i), segment)))
       {
         this->Cells.Rules.CapWhereItBegins(
-          rays.Begin[ray], static_cast<std::int16_t>(i), ray, hits);
+          rays.Begin[ray], static_cast<SurfaceIndex>(i), ray, hits);
       }
     }
   }

@@ -36,7 +36,7 @@ public:
   /// \param distance   infinity: there is none
   /// \param fromInside the ray leaves the inside of the isovalue
   static void KeepNearest(
-    double distance, bool fromInside, std::int16_t surface, std::size_t ray, HitBatch& hits)
+    double distance, bool fromInside, SurfaceIndex surface, std::size_t ray, HitBatch& hits)
   {
     if (distance < hits.Depth[ray])
     {
@@ -48,7 +48,7 @@ public:
 
   /// Keep the first of several isovalues, some of which may be met at one distance.
   void KeepFirst(
-    double distance, bool fromInside, std::int16_t surface, std::size_t ray, HitBatch& hits) const
+    double distance, bool fromInside, SurfaceIndex surface, std::size_t ray, HitBatch& hits) const
   {
     if (distance == hits.Depth[ray] && hits.Surface[ray] != Frame::NoSurface)
     {
@@ -65,7 +65,7 @@ public:
 
   /// Report that the ray begins in a solid, which is capped there. Of several isovalues the highest
   /// is visible.
-  void CapWhereItBegins(double begin, std::int16_t surface, std::size_t ray, HitBatch& hits) const
+  void CapWhereItBegins(double begin, SurfaceIndex surface, std::size_t ray, HitBatch& hits) const
   {
     const MetSurface cap{ begin, HitKind::Cap, this->IsovalueOf(surface) };
     if (IsInFrontOfHit(cap, hits, ray, this->Isosurfaces.Isovalues))
@@ -81,7 +81,7 @@ public:
   /// \param comesFromHidden only called if the cap would be the hit
   /// \return true if the cap is the hit
   template <typename ComesFromHidden>
-  bool CapBehindHidden(double enter, std::int16_t surface, std::size_t ray,
+  bool CapBehindHidden(double enter, SurfaceIndex surface, std::size_t ray,
     const ComesFromHidden& comesFromHidden, HitBatch& hits) const
   {
     const MetSurface cap{ enter, HitKind::Cap, this->IsovalueOf(surface) };
@@ -97,7 +97,7 @@ public:
 
   static HitKind KindOf(bool fromInside) { return fromInside ? HitKind::Exit : HitKind::Entry; }
 
-  double IsovalueOf(std::int16_t surface) const
+  double IsovalueOf(SurfaceIndex surface) const
   {
     return this->Isosurfaces.Isovalues[static_cast<std::size_t>(surface)];
   }
@@ -119,7 +119,7 @@ public:
   }
 
   /// Report a candidate at any place on the ray. It counts only behind the last surface.
-  void Consider(double distance, HitKind kind, std::int16_t surface)
+  void Consider(double distance, HitKind kind, SurfaceIndex surface)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const MetSurface met{ distance, kind, this->Rules.IsovalueOf(surface) };
@@ -145,13 +145,13 @@ private:
   const HitRules& Rules;
   MetSurface Last;
   MetSurface Next{ std::numeric_limits<double>::infinity(), HitKind::None, 0.0 };
-  std::int16_t Surface = Frame::NoSurface;
+  SurfaceIndex Surface = Frame::NoSurface;
 };
 
 /// The last surface on a ray that begins at `begin`. A hit on an earlier piece of the ray does not
 /// count.
 inline MetSurface LastOn(
-  const HitRules& rules, double begin, double distance, HitKind kind, std::int16_t surface)
+  const HitRules& rules, double begin, double distance, HitKind kind, SurfaceIndex surface)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (surface == Frame::NoSurface || distance < begin)

@@ -133,7 +133,7 @@ private:
   template <typename T>
   using List = std::array<T, Capacity>;
 
-  HWY_INLINE void NoteIn(const glm::ivec3& cell, std::int16_t surface,
+  HWY_INLINE void NoteIn(const glm::ivec3& cell, SurfaceIndex surface,
     const std::array<Real, 8>& corners, std::uint64_t which)
   {
     if (which == 0)
@@ -282,7 +282,7 @@ private:
   }
 
   /// Find all crossings of one isovalue, which a ray may cross several times.
-  void FindSeveral(std::size_t lane, std::int16_t surface, CellSurfaces& all) const
+  void FindSeveral(std::size_t lane, SurfaceIndex surface, CellSurfaces& all) const
   {
     const auto& b = this->Found.Cubic;
     bool isInside = (this->Found.Begins >> lane & 1u) != 0;
@@ -308,7 +308,7 @@ private:
   }
 
   /// Append a surface to the layers of a live ray.
-  HWY_INLINE void Append(std::size_t ray, double distance, HitKind kind, std::int16_t surface)
+  HWY_INLINE void Append(std::size_t ray, double distance, HitKind kind, SurfaceIndex surface)
   {
     if (this->Layers.IsClearlyBehind(ray, distance) &&
       this->Layers.LastDistance[ray] < this->Task.Rays.WalkEnd[ray])
@@ -331,7 +331,7 @@ private:
   List<std::int32_t> Ray, Cell;
   // Cells, no more than pairs:
   List<glm::ivec3> Place;
-  List<std::int16_t> Surface; ///< Frame::NoSurface: any isovalue
+  List<SurfaceIndex> Surface; ///< Frame::NoSurface: any isovalue
   List<std::array<Real, 8>> Corners;
 
   CellCrossings<Real> Found;

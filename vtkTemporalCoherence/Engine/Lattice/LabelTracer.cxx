@@ -263,7 +263,7 @@ public:
     {
       if (rays.Begin[ray] < rays.End[ray])
       {
-        const std::int16_t surface = this->SurfaceAtBegin({ rays, ray }, recent);
+        const SurfaceIndex surface = this->SurfaceAtBegin({ rays, ray }, recent);
         if (surface != Frame::NoSurface)
         {
           Keep(rays.Begin[ray], HitKind::Cap, surface, ray, hits);
@@ -298,7 +298,7 @@ public:
       NextHit next(this->Cells.Rules, LastOn(this->Cells.Rules, rays.Begin[ray], ray, hits));
       if (rays.Begin[ray] < rays.End[ray] && rays.MayBeCapped)
       {
-        const std::int16_t surface = this->SurfaceAtBegin(line, recent);
+        const SurfaceIndex surface = this->SurfaceAtBegin(line, recent);
         if (surface != Frame::NoSurface)
         {
           next.Consider(rays.Begin[ray], HitKind::Cap, surface);
@@ -324,7 +324,7 @@ private:
   }
 
   static void Keep(
-    double distance, HitKind kind, std::int16_t surface, std::size_t ray, HitBatch& hits)
+    double distance, HitKind kind, SurfaceIndex surface, std::size_t ray, HitBatch& hits)
   {
     hits.Depth[ray] = distance;
     hits.Kind[ray] = kind;
@@ -332,13 +332,13 @@ private:
   }
 
   /// The surface of a label; NoSurface if it is not drawn.
-  std::int16_t SurfaceOf(T label) const
+  SurfaceIndex SurfaceOf(T label) const
   {
     return this->Labels.Of(static_cast<std::int64_t>(label));
   }
 
   /// The surface of the label that a ray begins in.
-  std::int16_t SurfaceAtBegin(const BatchRay& line, Recent& recent) const
+  SurfaceIndex SurfaceAtBegin(const BatchRay& line, Recent& recent) const
   {
     const glm::ivec3 cell = line.CellAt(line.Rays.Begin[line.Ray], this->Cells.Count);
     if (this->Cells.IsHidden(cell))
@@ -371,7 +371,7 @@ private:
     const bool isBehindHidden = this->Cells.Hidden && segment.ComesFrom(*this->Cells.Hidden);
     const auto meetAt = [&](double distance, HitKind kind, T label)
     {
-      const std::int16_t surface = this->SurfaceOf(label);
+      const SurfaceIndex surface = this->SurfaceOf(label);
       return surface != Frame::NoSurface && meet(distance, kind, surface);
     };
     if (this->Smooth)
@@ -415,7 +415,7 @@ private:
   {
     ++hits.CellsRead;
     this->Visit(line, cell, recent,
-      [&](double distance, HitKind kind, std::int16_t surface)
+      [&](double distance, HitKind kind, SurfaceIndex surface)
       {
         Keep(distance, kind, surface, ray, hits);
         return true;
@@ -472,7 +472,7 @@ private:
     {
       ++hits.CellsRead;
       this->Visit(ahead, walk.Here(), recent,
-        [&next](double distance, HitKind kind, std::int16_t surface)
+        [&next](double distance, HitKind kind, SurfaceIndex surface)
         {
           next.Consider(distance, kind, surface);
           return next.IsFound();

@@ -19,7 +19,7 @@ namespace TemporalCoherence
 template <typename Real>
 struct CellLevel
 {
-  std::int16_t Surface;        ///< position in the list of isovalues
+  SurfaceIndex Surface;        ///< position in the list of isovalues
   std::array<Real, 8> Corners; ///< differences from it
 };
 
@@ -44,7 +44,7 @@ struct CellSurfaces
   {
     double Distance;
     HitKind Kind;
-    std::int16_t Surface;
+    SurfaceIndex Surface;
   };
 
   std::size_t Count = 0;

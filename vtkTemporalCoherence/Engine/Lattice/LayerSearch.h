@@ -39,7 +39,7 @@ public:
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
       NextHit next(cells.Rules, LastOn(cells.Rules, rays.Begin[ray], ray, hits));
-      const auto consider = [&next](double distance, HitKind kind, std::int16_t surface)
+      const auto consider = [&next](double distance, HitKind kind, SurfaceIndex surface)
       { next.Consider(distance, kind, surface); };
       if (rays.Begin[ray] < rays.End[ray])
       {
@@ -108,7 +108,7 @@ public:
       const std::size_t surface = this->Ascending[place];
       if (IsInside(Cells::AtEntry(cells.Differ(samples, surface), segment)))
       {
-        consider(rays.Begin[ray], HitKind::Cap, static_cast<std::int16_t>(surface));
+        consider(rays.Begin[ray], HitKind::Cap, static_cast<SurfaceIndex>(surface));
       }
     }
   }
@@ -157,7 +157,7 @@ private:
       {
         ++hits.CellsRead;
         this->Search(cells, Segment(line, walk.Here()), cells.Samples.Read(walk.Here()),
-          [&next](double distance, HitKind kind, std::int16_t surface)
+          [&next](double distance, HitKind kind, SurfaceIndex surface)
           { next.Consider(distance, kind, surface); });
       }
     }
@@ -168,7 +168,7 @@ private:
   void SearchFor(std::size_t surface, bool isSolid, const Corners<Real>& corners,
     const Segment& segment, bool isBehindHidden, const Consider& found) const
   {
-    const auto number = static_cast<std::int16_t>(surface);
+    const auto number = static_cast<SurfaceIndex>(surface);
     Cubic<Real> cubic;
     bool isInside;
     if constexpr (Between == Interpolation::Linear)

@@ -101,7 +101,7 @@ private:
       this->Hits.Surface[ray] = Frame::NoSurface;
       this->HideBehind(enter, ray, beam);
     }
-    const auto surface = static_cast<std::int16_t>(isovalue);
+    const auto surface = static_cast<SurfaceIndex>(isovalue);
     const HitRules& rules = this->Cells.Rules;
     rules.KeepFirst(found.Distance, found.FromInside, surface, ray, this->Hits);
     if (rules.AreCappedBehindHidden() && found.FromInside)

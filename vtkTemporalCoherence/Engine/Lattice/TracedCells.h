@@ -120,7 +120,7 @@ struct TracedCells
   }
 
   /// Make a found surface its ray's hit if it lies in front of the present hit.
-  void Keep(const Segment& segment, const CellHit& found, std::int16_t surface, std::size_t ray,
+  void Keep(const Segment& segment, const CellHit& found, SurfaceIndex surface, std::size_t ray,
     HitBatch& hits) const
   {
     this->Rules.KeepFirst(found.Distance, found.FromInside, surface, ray, hits);

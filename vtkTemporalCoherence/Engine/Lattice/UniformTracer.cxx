@@ -40,7 +40,7 @@ private:
   {
     SegmentBatch<Real> Segments;
     RayBatch::Array<std::size_t> Ray;
-    RayBatch::Array<std::int16_t> Surface;
+    RayBatch::Array<SurfaceIndex> Surface;
   };
 
   void Decide(OpenCells& open, TileBeam& beam) override
@@ -70,7 +70,7 @@ private:
         for (std::uint64_t left = segments.Wanted; left != 0; left &= left - 1)
         {
           const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
-          this->Keep(segments, ray, static_cast<std::int16_t>(isovalue), ray, beam);
+          this->Keep(segments, ray, static_cast<SurfaceIndex>(isovalue), ray, beam);
         }
       }
     }
@@ -94,7 +94,7 @@ private:
       const auto at = static_cast<std::size_t>(search.Segments.Count);
       AppendSegment(this->Rays, ray, cell, corners, search.Segments);
       search.Ray[at] = ray;
-      search.Surface[at] = static_cast<std::int16_t>(surface);
+      search.Surface[at] = static_cast<SurfaceIndex>(surface);
     }
   }
 
@@ -111,7 +111,7 @@ private:
   }
 
   /// Keep the hit found in segment i, unless the ray enters another cell with a surface earlier.
-  void Keep(const SegmentBatch<Real>& segments, std::size_t i, std::int16_t surface,
+  void Keep(const SegmentBatch<Real>& segments, std::size_t i, SurfaceIndex surface,
     std::size_t ray, TileBeam& beam)
   {
     const double enter = segments.Enter[i], distance = segments.Distance[i];
@@ -137,7 +137,7 @@ private:
 
   /// Cap a solid where a ray inside it leaves hidden cells.
   void CapBehindHidden(
-    const SegmentBatch<Real>& segments, std::size_t i, std::int16_t surface, std::size_t ray)
+    const SegmentBatch<Real>& segments, std::size_t i, SurfaceIndex surface, std::size_t ray)
   {
     const double enter = segments.Enter[i];
     if (this->Cells.Rules.AreCappedBehindHidden() && IsInside(segments.AtEntry[i]))
@@ -215,7 +215,7 @@ public:
     this->GatherCorners(this->Cells.Differences[cells.Surface], cells, segments);
     hits.CellsRead += static_cast<std::int64_t>(hwy::PopCount(cells.Rays));
     this->FindInSegments(segments);
-    const auto surface = static_cast<std::int16_t>(cells.Surface);
+    const auto surface = static_cast<SurfaceIndex>(cells.Surface);
     const bool isOnly = this->Cells.Differences.size() == 1;
     const bool areCapped = this->Cells.Rules.AreCappedBehindHidden();
     std::uint64_t missing = 0;
@@ -247,7 +247,7 @@ private:
   {
     SegmentBatch<Real> Segments;
     RayBatch::Array<std::size_t> Ray; ///< in the batch that is traced
-    RayBatch::Array<std::int16_t> Surface;
+    RayBatch::Array<SurfaceIndex> Surface;
   };
 
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
@@ -398,7 +398,7 @@ private:
         const auto at = static_cast<std::size_t>(search.Segments.Count);
         AppendSegment(rays, place, cell, corners, search.Segments);
         search.Ray[at] = ray;
-        search.Surface[at] = static_cast<std::int16_t>(surface);
+        search.Surface[at] = static_cast<SurfaceIndex>(surface);
         isFound = true;
       }
     }
@@ -502,7 +502,7 @@ private:
 
   /// Cap a solid where a ray inside it leaves hidden cells.
   void CapBehindHidden(SegmentBatch<Real>& segments, std::size_t i, std::size_t ray,
-    std::int16_t surface, HitBatch& hits) const
+    SurfaceIndex surface, HitBatch& hits) const
   {
     const double enter = segments.Enter[i];
     if (IsInside(segments.AtEntry[i]) &&
@@ -565,7 +565,7 @@ private:
         if (IsInside(segments.AtEntry[i]))
         {
           this->Cells.Rules.CapWhereItBegins(
-            rays.Begin[search.Ray[i]], static_cast<std::int16_t>(surface), search.Ray[i], hits);
+            rays.Begin[search.Ray[i]], static_cast<SurfaceIndex>(surface), search.Ray[i], hits);
         }
       }
       segments.Count = 0;

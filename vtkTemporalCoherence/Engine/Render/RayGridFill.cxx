@@ -80,7 +80,7 @@ RayGrid::Cell RayGrid::CellBetween(const Place& column, const Place& row) const
   const auto right = static_cast<std::size_t>(column.Second);
   Cell cell;
   cell.Ray = { below + left, below + right, above + left, above + right };
-  const std::int16_t surface = from.Isovalues[cell.Ray[0]];
+  const SurfaceIndex surface = from.Isovalues[cell.Ray[0]];
   cell.IsOneSurface = surface != Frame::NoSurface;
   for (std::size_t i = 0; i < 4; ++i)
   {
@@ -190,9 +190,9 @@ bool RayGrid::ShowsAnything(const PixelRect& part) const
   const PixelRect around = this->RaysAround(part);
   for (int y = around.First.y; y < around.First.y + around.Size.y; ++y)
   {
-    const std::int16_t* const row = &this->Picture.Isovalues[PlaceOf(this->Picture, 0, y)];
+    const SurfaceIndex* const row = &this->Picture.Isovalues[PlaceOf(this->Picture, 0, y)];
     if (std::any_of(row + around.First.x, row + around.First.x + around.Size.x,
-          [](std::int16_t surface) { return surface != Frame::NoSurface; }))
+          [](SurfaceIndex surface) { return surface != Frame::NoSurface; }))
     {
       return true;
     }

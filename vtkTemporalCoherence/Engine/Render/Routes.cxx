@@ -46,7 +46,7 @@ bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
 /// Count the answers of a picture that repeats the hits of the last one: all of them are definite.
 void CountKnownHits(FrameTask& task, const Frame& picture)
 {
-  const Plane<std::int16_t>& isovalues = picture.Isovalues;
+  const Plane<SurfaceIndex>& isovalues = picture.Isovalues;
   FrameStatistics& statistics = task.Statistics;
   statistics.DefiniteMisses = std::count(isovalues.begin(), isovalues.end(), Frame::NoSurface);
   statistics.DefiniteHits = statistics.Rays - statistics.DefiniteMisses;

@@ -56,6 +56,10 @@ struct LayerColor
   bool operator==(const LayerColor& other) const { return this->Values == other.Values; }
 };
 
+/// The position of a surface in the list of isovalues or of drawn labels; Frame::NoSurface for
+/// none.
+using SurfaceIndex = std::int32_t;
+
 /// The number of a cell of a mesh, for hits in such fields. NoCell: the field is no mesh, or the
 /// cell is not known.
 using CellNumber = std::uint32_t;
@@ -66,7 +70,7 @@ struct LayerHit
 {
   double Depth;       ///< t
   std::int32_t Pixel; ///< position in the planes
-  std::int16_t Isovalue;
+  SurfaceIndex Isovalue;
   HitKind Kind;
   /// The composite of all layers in front of the next kept one. The last kept layer holds the
   /// pixel's colour.
@@ -107,12 +111,12 @@ struct FrameExtras
 /// is at [y * Size.x + x].
 struct Frame
 {
-  static constexpr std::int16_t NoSurface = -1;
+  static constexpr SurfaceIndex NoSurface = -1;
 
   glm::ivec2 Size{ 0 };
   Plane<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
   Plane<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
-  Plane<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
+  Plane<SurfaceIndex> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
   Plane<HitKind> Kinds;
   Plane<Answer> Answers;
   Plane<std::array<std::uint8_t, 4>> Colors; ///< premultiplied RGBA; 0 where nothing is hit

@@ -40,7 +40,7 @@ inline bool IsInFront(const MetSurface& a, const MetSurface& b)
 inline bool IsInFrontOfHit(const MetSurface& met, const HitBatch& hits, std::size_t ray,
   const std::vector<double>& isovalues)
 {
-  const std::int16_t hit = hits.Surface[ray];
+  const SurfaceIndex hit = hits.Surface[ray];
   return hit == Frame::NoSurface ||
     IsInFront(met, { hits.Depth[ray], hits.Kind[ray], isovalues[static_cast<std::size_t>(hit)] });
 }

@@ -31,7 +31,7 @@ LabelIndex::LabelIndex(const std::vector<double>& labels)
   for (std::size_t i = 0; i < labels.size(); ++i)
   {
     const auto label = static_cast<std::int64_t>(labels[i]);
-    const auto position = static_cast<std::int16_t>(i);
+    const auto position = static_cast<SurfaceIndex>(i);
     if (range < MostPlaces)
     {
       this->Places[static_cast<std::size_t>(label - this->Lowest)] = position;
@@ -44,7 +44,7 @@ LabelIndex::LabelIndex(const std::vector<double>& labels)
   std::sort(this->Sorted.begin(), this->Sorted.end());
 }
 
-std::int16_t LabelIndex::Search(std::int64_t label) const
+SurfaceIndex LabelIndex::Search(std::int64_t label) const
 {
   const auto found = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), label,
     [](const auto& entry, std::int64_t wanted) { return entry.first < wanted; });

@@ -23,7 +23,7 @@ public:
   explicit LabelIndex(const std::vector<double>& labels);
 
   /// The position of a label in the list; Frame::NoSurface if it is not there.
-  std::int16_t Of(std::int64_t label) const
+  SurfaceIndex Of(std::int64_t label) const
   {
     const std::uint64_t place =
       static_cast<std::uint64_t>(label) - static_cast<std::uint64_t>(this->Lowest);
@@ -32,11 +32,11 @@ public:
   }
 
 private:
-  std::int16_t Search(std::int64_t label) const;
+  SurfaceIndex Search(std::int64_t label) const;
 
   std::int64_t Lowest = 0;
-  std::vector<std::int16_t> Places; ///< of the labels from Lowest on, unless they lie far apart
-  std::vector<std::pair<std::int64_t, std::int16_t>> Sorted; ///< all labels, if they lie far apart
+  std::vector<SurfaceIndex> Places; ///< of the labels from Lowest on, unless they lie far apart
+  std::vector<std::pair<std::int64_t, SurfaceIndex>> Sorted; ///< all labels, if they lie far apart
 };
 
 }

@@ -44,7 +44,7 @@ struct LayerBatch
   // The surfaces of this pass, in order of discovery: along each ray from front to back.
   std::size_t Total = 0;
   List<double> Distance;
-  List<std::int16_t> Surface;
+  List<SurfaceIndex> Surface;
   List<HitKind> Kind;
   List<CellNumber> Cell; ///< of a mesh
   List<std::uint8_t> Ray;
@@ -58,7 +58,7 @@ struct LayerBatch
 
   /// The last surface of each ray so far, in any pass. The search goes on behind it.
   Array<double> LastDistance;
-  Array<std::int16_t> LastSurface;
+  Array<SurfaceIndex> LastSurface;
   Array<HitKind> LastKind;
 
   /// The transmittance of each ray's surfaces. Without Alphas, surfaces of this pass do not count
@@ -107,7 +107,7 @@ struct LayerBatch
 
   /// Append the next surface of a ray. Close the ray if it is full or opaque now.
   void Append(
-    std::size_t ray, double distance, HitKind kind, std::int16_t surface, CellNumber cell = NoCell)
+    std::size_t ray, double distance, HitKind kind, SurfaceIndex surface, CellNumber cell = NoCell)
   {
     const std::size_t at = this->Total++;
     this->Distance[at] = distance;

@@ -77,7 +77,7 @@ struct KnownGradients
 struct HitBatch
 {
   RayBatch::Array<double> Depth;         ///< t, or infinity
-  RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
+  RayBatch::Array<SurfaceIndex> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
   RayBatch::Array<CellNumber> Cell; ///< of a mesh
   KnownGradients Gradients;

@@ -50,7 +50,7 @@ public:
   /// Sort the pixels [first, first + count) of a row.
   void Sort(std::size_t first, std::size_t count, const double* x, double y)
   {
-    const std::int16_t* const surfaces = &this->Planes.Isovalues[first];
+    const SurfaceIndex* const surfaces = &this->Planes.Isovalues[first];
     if (count == TileSize && this->WithDefiniteHits)
     {
       // Most rows are full or empty.

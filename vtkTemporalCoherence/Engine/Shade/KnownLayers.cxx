@@ -109,7 +109,7 @@ void KnownLayers::TakeHits(const PixelRect& part, const Frame& frame)
     [&](std::int32_t pixel, std::size_t place)
     {
       const auto at = static_cast<std::size_t>(pixel);
-      const std::int16_t surface = frame.Isovalues[at];
+      const SurfaceIndex surface = frame.Isovalues[at];
       if (surface != Frame::NoSurface)
       {
         const CellNumber cell = frame.Cells.empty() ? NoCell : frame.Cells[at];

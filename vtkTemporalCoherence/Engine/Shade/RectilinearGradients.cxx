@@ -28,7 +28,7 @@ double Bounded(double gradient)
   return std::min(std::max(gradient, -LargestGradient), LargestGradient);
 }
 
-Difference<double> DifferenceFor(const GradientQuery& query, std::int16_t surface)
+Difference<double> DifferenceFor(const GradientQuery& query, SurfaceIndex surface)
 {
   const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(surface)];
   return { isovalue, query.FiniteRange };
@@ -69,7 +69,7 @@ public:
 
 private:
   /// The number of a cell together with an isovalue. Reads the samples around new cells.
-  std::int32_t NumberOf(const glm::ivec3& place, std::int16_t surface)
+  std::int32_t NumberOf(const glm::ivec3& place, SurfaceIndex surface)
   {
     // A hash table with two places for each possible cell. Neighbours get different places.
     constexpr std::uint32_t mask = 2 * RayBatch::Capacity - 1;
@@ -168,7 +168,7 @@ private:
   DifferenceInDouble FromIsovalue{}; ///< of the last cell
   GradientKernels::GridCells Cells;
   std::array<glm::ivec3, RayBatch::Capacity> Cell;
-  std::array<std::int16_t, RayBatch::Capacity> Surface;
+  std::array<SurfaceIndex, RayBatch::Capacity> Surface;
   std::array<std::int32_t, 2 * RayBatch::Capacity> Places{}; ///< cell numbers + 1, by hash
 };
 
@@ -190,7 +190,7 @@ public:
   {
     const std::size_t count = this->Tile.Rays.Count;
     const glm::dmat3 turn(this->Query.IndexFromWorld);
-    std::int16_t surface = this->Tile.Surfaces[0];
+    SurfaceIndex surface = this->Tile.Surfaces[0];
     Difference<double> difference = DifferenceFor(this->Query, surface);
     for (std::size_t i = 0; i < count; ++i)
     {

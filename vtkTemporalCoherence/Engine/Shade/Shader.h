@@ -34,7 +34,7 @@ struct HitList
   using Array = RayBatch::Array<T>;
 
   Array<std::int32_t> Pixel;   ///< position in the planes of the frame
-  Array<std::int16_t> Surface; ///< position in the list of isovalues
+  Array<SurfaceIndex> Surface; ///< position in the list of isovalues
   Array<HitKind> Kind;
   Array<CellNumber> Cell; ///< of a mesh; NoCell also at misses. Not set for other fields
   Array<double> X, Y;     ///< normalised device coordinates, if FindHitRays is to be called

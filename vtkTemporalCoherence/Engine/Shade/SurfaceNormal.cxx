@@ -212,7 +212,7 @@ void PrefetchSamples(const Field& field, const GradientKernels::CellPoints<RealO
 /// Differences from the isovalues. Integers are finite: their differences are taken from 0.
 template <typename T, typename Rows>
 void SetIsovalues(const GradientQuery& query, std::size_t count,
-  const RayBatch::Array<std::int16_t>& surfaces, Rows& rows)
+  const RayBatch::Array<SurfaceIndex>& surfaces, Rows& rows)
 {
   std::array<double, 3> parts = { 0.0, 0.0, std::numeric_limits<double>::max() };
   for (std::size_t i = 0; i < WholeVectors(count); ++i)

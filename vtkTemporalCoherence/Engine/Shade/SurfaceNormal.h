@@ -35,7 +35,7 @@ struct GradientTile
   using Vectors = std::array<RayBatch::Array<double>, 3>; ///< by axis
 
   const HitRays& Rays;                           ///< at least 1, to the end of the last vector
-  const RayBatch::Array<std::int16_t>& Surfaces; ///< positions in the list of isovalues
+  const RayBatch::Array<SurfaceIndex>& Surfaces; ///< positions in the list of isovalues
   Vectors& Gradients; ///< result: per index step, finite up to the end of the last vector
   /// Hit cells of a mesh, or NoCell. Null: unknown.
   const RayBatch::Array<CellNumber>* Cells = nullptr;

@@ -133,7 +133,7 @@ struct PixelRange
         return this->Copy(this->From.Normals, values);
       case IsovalueIndexArray:
         return this->Convert(this->From.Isovalues, values,
-          [this](std::int16_t surface)
+          [this](SurfaceIndex surface)
           {
             return surface == Frame::NoSurface || this->Places.empty()
               ? -1

@@ -117,7 +117,6 @@ bool LabelsFromVolume::Find(const LabelSettings& settings, vtkVolumeProperty* pr
   int component, Surfaces& surfaces, std::vector<int>& places, std::string& error) const
 {
   constexpr std::int64_t largest = std::numeric_limits<int>::max();
-  constexpr std::size_t most = std::numeric_limits<std::int16_t>::max();
   if (settings.Table)
   {
     settings.Table->Build();
@@ -146,12 +145,10 @@ bool LabelsFromVolume::Find(const LabelSettings& settings, vtkVolumeProperty* pr
     {
       continue;
     }
-    if (label > largest || label < -largest || places.size() == most)
+    if (label > largest || label < -largest)
     {
-      error = places.size() == most ? "More than " + std::to_string(most) +
-          " labels have an opacity above 0; hide some, or join them."
-                                    : "Label " + std::to_string(label) +
-          " cannot be drawn; use labels from -2147483647 to 2147483647.";
+      error = "Label " + std::to_string(label) +
+        " cannot be drawn; use labels from -2147483647 to 2147483647.";
       return false;
     }
     surfaces.Isovalues.push_back(value);

@@ -122,7 +122,7 @@ LayerLists ListsOf(const Frame& frame, const View& view)
   else
   {
     std::transform(frame.Isovalues.begin(), frame.Isovalues.end(), counts.begin(),
-      [](std::int16_t surface) { return surface == Frame::NoSurface ? 0u : 1u; });
+      [](SurfaceIndex surface) { return surface == Frame::NoSurface ? 0u : 1u; });
   }
   MakeRoom(counts, lists);
   constexpr std::int64_t grain = 64;

@@ -33,9 +33,9 @@ bool HasHits(const Frame& frame, std::int64_t tile)
   for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
   {
     const std::size_t first = PlaceOf(frame, part.First.x, y);
-    const std::int16_t* const row = &frame.Isovalues[first];
+    const SurfaceIndex* const row = &frame.Isovalues[first];
     if (std::any_of(
-          row, row + part.Size.x, [](std::int16_t surface) { return surface != Frame::NoSurface; }))
+          row, row + part.Size.x, [](SurfaceIndex surface) { return surface != Frame::NoSurface; }))
     {
       return true;
     }

@@ -85,7 +85,7 @@ protected:
   struct Met
   {
     double Distance = Infinity;
-    std::int16_t Isovalue = Frame::NoSurface;
+    SurfaceIndex Isovalue = Frame::NoSurface;
   };
   std::vector<Met> SearchAllCells() const
   {
@@ -139,7 +139,7 @@ private:
           {
             if (found.T[k] < met[found.Ray[k]].Distance)
             {
-              met[found.Ray[k]] = { found.T[k], static_cast<std::int16_t>(i) };
+              met[found.Ray[k]] = { found.T[k], static_cast<SurfaceIndex>(i) };
             }
           }
         }

@@ -21,7 +21,7 @@ namespace TemporalCoherence
 
 bool KeepNearest(const MetInCell& met, const std::vector<double>& isovalues, HitBatch& hits)
 {
-  const std::int16_t hit = hits.Surface[met.Ray];
+  const SurfaceIndex hit = hits.Surface[met.Ray];
   if (hit != Frame::NoSurface)
   {
     const MetSurface known{ hits.Depth[met.Ray], hits.Kind[met.Ray],
@@ -261,7 +261,7 @@ MeshCellSearch::FoundInCells MeshCellSearch::SearchTetrahedra(const ReadTetrahed
       {
         const bool isKept = KeepNearest(
           { { found.T[ray], HitRules::KindOf((found.Rising >> ray & 1u) == 0), isovalues[surface] },
-            static_cast<std::int16_t>(surface), static_cast<std::uint8_t>(ray), cells.Numbers[i] },
+            static_cast<SurfaceIndex>(surface), static_cast<std::uint8_t>(ray), cells.Numbers[i] },
           isovalues, hits);
         if (isKept)
         {
@@ -296,7 +296,7 @@ MeshCellSearch::FoundInCells MeshCellSearch::SearchHexahedra(const KnownCells& k
       all.Met |= std::uint64_t(1) << ray;
       all.AtEnds |= (atEnds >> found.Ray[k] & 1u) << ray;
       KeepNearest({ { found.T[k], HitRules::KindOf(!found.Rises[k]), isovalues[surface] },
-                    static_cast<std::int16_t>(surface), ray, each->Number },
+                    static_cast<SurfaceIndex>(surface), ray, each->Number },
         isovalues, hits);
     }
   }
@@ -326,7 +326,7 @@ MeshCellSearch::FoundInCells MeshCellSearch::SearchSolid(
   {
     found.Met |= std::uint64_t(1) << part.Ray;
     found.AtEnds |= static_cast<std::uint64_t>(part.IsAtEnd) << part.Ray;
-    KeepNearest({ { part.From, part.Kind, isovalues[surface] }, static_cast<std::int16_t>(surface),
+    KeepNearest({ { part.From, part.Kind, isovalues[surface] }, static_cast<SurfaceIndex>(surface),
                   part.Ray, part.Cell },
       isovalues, hits);
   }

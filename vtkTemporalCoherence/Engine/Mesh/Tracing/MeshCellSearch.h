@@ -24,7 +24,7 @@ namespace TemporalCoherence
 struct MetInCell
 {
   MetSurface Surface;
-  std::int16_t Isovalue; ///< position in the list
+  SurfaceIndex Isovalue; ///< position in the list
   std::uint8_t Ray;
   CellNumber Cell;
 };

@@ -28,7 +28,7 @@ template <typename Take>
 void MeshTracer::TakeCrossings(std::size_t surface, CellNumber number,
   const MeshKernels::Crossings& found, const Take& take) const
 {
-  const auto isovalue = static_cast<std::int16_t>(surface);
+  const auto isovalue = static_cast<SurfaceIndex>(surface);
   const double value = this->IsovalueOf(surface);
   for (std::size_t i = 0; i < found.Count; ++i)
   {
@@ -43,7 +43,7 @@ void MeshTracer::TakeSolids(std::size_t surface, CellNumber number, const MeshCe
   const MeshKernels::CellDifferences& differences, const RayBatch& rays,
   const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const
 {
-  const auto isovalue = static_cast<std::int16_t>(surface);
+  const auto isovalue = static_cast<SurfaceIndex>(surface);
   const double value = this->IsovalueOf(surface);
   std::vector<SolidPart> parts;
   AppendSolidParts(cell, differences, number, rays, inMesh, which, parts);
@@ -209,7 +209,7 @@ void MeshTracer::FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int
       if (isNew)
       {
         all.push_back({ { part.From, part.Kind, this->IsovalueOf(surface) },
-          static_cast<std::int16_t>(surface), part.Ray, part.Cell });
+          static_cast<SurfaceIndex>(surface), part.Ray, part.Cell });
       }
       end = isNew ? part.To : std::max(end, part.To);
     }

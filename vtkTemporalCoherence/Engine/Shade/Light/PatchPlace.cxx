@@ -10,7 +10,7 @@ namespace TemporalCoherence
 {
 
 PatchPlace PlaceOfPatch(const glm::dvec3& point, const glm::vec3& normal, double width,
-  std::int16_t surface, HitKind kind)
+  SurfaceIndex surface, HitKind kind)
 {
   PatchPlace place;
   // The power of two nearest to the width of the pixel.

@@ -19,7 +19,7 @@ struct PatchPlace
 {
   glm::ivec3 Block;     ///< in units of four patches
   std::int16_t Level;   ///< edge of a patch: 2 to this power, in the world
-  std::int16_t Surface; ///< position in the list of isovalues
+  SurfaceIndex Surface; ///< position in the list of isovalues
   std::uint8_t Side;    ///< the axis that the normal is closest to, its sign, and the kind of hit
   std::uint8_t Patch;   ///< x + 4 y + 16 z
   std::uint16_t Source = 0; ///< 0: light from all sides; n: light number n - 1 of the appearance
@@ -37,7 +37,7 @@ inline std::uint64_t HashOfBlock(const PatchPlace& place)
 {
   const auto word = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
   const std::uint64_t rest = word(place.Level & 0xff) | word(place.Side) << 8 |
-    word(place.Surface) << 16 | word(place.Source) << 32;
+    word(place.Surface) << 16 | word(place.Source) << 48;
   // Multiples of odd constants, and the finaliser of MurmurHash3.
   std::uint64_t x = word(place.Block.x) * 0x9e3779b97f4a7c15ull +
     word(place.Block.y) * 0xc2b2ae3d27d4eb4full + word(place.Block.z) * 0x165667b19e3779f9ull +
@@ -72,7 +72,7 @@ inline PatchPlace LargerThan(const PatchPlace& place)
 /// \param normal there, of any length
 /// \param width  of a pixel at the point, in the world
 PatchPlace PlaceOfPatch(const glm::dvec3& point, const glm::vec3& normal, double width,
-  std::int16_t surface, HitKind kind);
+  SurfaceIndex surface, HitKind kind);
 
 }
 

@@ -133,6 +133,7 @@ set(engine_files
   Render/FrameStore
   Render/FrameStructures
   Render/IsomapRoute
+  Render/KeepLabelsRoute
   Render/GridKey
   Render/LayerLimit
   Render/LineTracer
@@ -197,6 +198,7 @@ set(bridge_files
   Input/SamplesOfArray
   Input/ScalarChoice
   Input/SettingCheck
+  Input/ToldChanges
   Input/VectorMagnitude
   Input/VolumePlace
   Polyhedra/ClosedSurface

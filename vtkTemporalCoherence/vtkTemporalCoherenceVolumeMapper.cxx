@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
+#include "Input/ToldChanges.h"
 #include "Render/SampleDistance.h"
 #include "Request/ViewFromRenderer.h"
 #include "Scene/Timers.h"
@@ -249,6 +250,21 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
   }
   internal.ReportOnce(error);
   return outcome == Outcome::Built;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::ModifiedWithin(
+  vtkImageData* image, const int extent[6], vtkDataArray* array)
+{
+  const bool isTold = image &&
+    TemporalCoherence::TellChange(
+      image, array, { extent[0], extent[1], extent[2], extent[3], extent[4], extent[5] });
+  if (!isTold)
+  {
+    vtkGenericWarningMacro(
+      "ModifiedWithin found no array to call modified; give an image and one of its arrays.");
+  }
+  return isTold;
 }
 
 //------------------------------------------------------------------------------

@@ -40,6 +40,7 @@
 #include <string> // For the name of an array
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
 class vtkImageData;
 class vtkPolyData;
 class vtkRenderer;
@@ -125,6 +126,20 @@ public:
   virtual void SetColorTable(vtkScalarsToColors* table);
   vtkScalarsToColors* GetColorTable();
   //@}
+
+  /**
+   * Tell that samples of an image change in place, as by the stroke of a brush, and only within an
+   * extent of points (or of cells, if the array is one of cells). Calls Modified() of the array, so
+   * write the samples before. May be called several times between two frames, for any mappers of
+   * the image. The next frame of LABELS then reads no other samples to find what changed; other
+   * frames treat this as any Modified().
+   * @param image which mappers draw, or a block of it
+   * @param extent within that of the image; parts beyond do not count
+   * @param array of the image; null (default): its active scalars, of points or else of cells
+   * @return false with a warning if there is no such array
+   */
+  static bool ModifiedWithin(
+    vtkImageData* image, const int extent[6], vtkDataArray* array = nullptr);
 
   /** Values of VectorMode. */
   enum VectorModes
@@ -476,7 +491,8 @@ public:
     ROUTE_KEEP_VALUES = 10, ///< only colours of a projection changed: known values are coloured
     ROUTE_ANTIALIAS,        ///< nothing changed: pixels at edges get more rays
     ROUTE_FEWER_RAYS,       ///< some rays are traced, and pixels between them are interpolated
-    ROUTE_REFINE            ///< nothing changed: tiles between rays are traced
+    ROUTE_REFINE,           ///< nothing changed: tiles between rays are traced
+    ROUTE_KEEP_LABELS       ///< other labels are drawn: rays keep what they met unless that changes
   };
 
   /** The work of the last frame to set up its mesh. */

@@ -87,7 +87,8 @@ vtkTemporalCoherenceStatistics* vtkTemporalCoherenceVolumeMapper::GetStatistics(
       static_cast<int>(Route::Recomposite) == ROUTE_RECOMPOSITE &&
       static_cast<int>(Route::KeepValues) == ROUTE_KEEP_VALUES &&
       static_cast<int>(Route::Antialias) == ROUTE_ANTIALIAS &&
-      static_cast<int>(Route::Refine) == ROUTE_REFINE,
+      static_cast<int>(Route::Refine) == ROUTE_REFINE &&
+      static_cast<int>(Route::KeepLabels) == ROUTE_KEEP_LABELS,
     "Routes tells the same as Route");
   using TemporalCoherence::SetUpWork;
   static_assert(static_cast<int>(SetUpWork::None) == MESH_NONE &&

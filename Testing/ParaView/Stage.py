@@ -14,7 +14,7 @@ LoadPlugin(os.environ["TEMPORAL_ISOSURFACE_PLUGIN"], remote=False, ns=globals())
 # The numbers of routes.
 ROUTES = {"Cold": 0, "Redisplay": 1, "Reshade": 2, "IsomapLookup": 3, "IsomapBuild": 4,
           "ImageCache": 6, "TimeStep": 7, "Recomposite": 8, "KeepValues": 10,
-          "FewerRays": 11, "Refine": 12}
+          "Antialias": 11, "FewerRays": 12, "Refine": 13, "KeepLabels": 14}
 
 
 def check(is_right, what, found=""):

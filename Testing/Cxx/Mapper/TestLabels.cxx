@@ -336,11 +336,11 @@ void TestRoutes()
   compare("faces of voxels");
 }
 
-/// Of a large map, a stroke traces the tiles that see it.
-void TestStrokes()
+/// Of a large map, a stroke traces the tiles that see it, whether its place is told or not.
+void TestStrokes(bool areTold)
 {
   vtkNew<vtkImageData> image;
-  image->SetDimensions(96, 80, 70);
+  image->SetExtent(5, 100, -3, 76, 0, 69);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   for (int k = 0; k < 70; ++k)
   {
@@ -349,7 +349,7 @@ void TestStrokes()
       for (int i = 0; i < 96; ++i)
       {
         const double distance = std::hypot(i - 47.0, j - 40.0, k - 35.0);
-        image->SetScalarComponentFromDouble(i, j, k, 0, distance < 30.0 ? 1 + i / 20 : 0);
+        image->SetScalarComponentFromDouble(i + 5, j - 3, k, 0, distance < 30.0 ? 1 + i / 20 : 0);
       }
     }
   }
@@ -366,23 +366,107 @@ void TestStrokes()
     {
       for (int step = 0; step < 60; ++step)
       {
-        const int at[3] = { 40 + step % 4, 62 + step / 4 % 5, 30 + 6 * stroke + step / 20 };
+        const int at[3] = { 45 + step % 4, 59 + step / 4 % 5, 30 + 6 * stroke + step / 20 };
         image->SetScalarComponentFromDouble(
           at[0], at[1], at[2], 0, 1 + (stroke + (radius > 0.0 ? 1 : 3)) % 4);
       }
-      image->GetPointData()->GetScalars()->Modified();
+      if (areTold)
+      {
+        // Two parts of the stroke, one of which reaches beyond the image.
+        const int parts[2][6] = { { 45, 48, 59, 61, 30 + 6 * stroke, 32 + 6 * stroke },
+          { 45, 200, 62, 63, 30 + 6 * stroke, 32 + 6 * stroke } };
+        for (const int* part : parts)
+        {
+          Expect(vtkTemporalCoherenceVolumeMapper::ModifiedWithin(image, part), "told");
+        }
+      }
+      else
+      {
+        image->GetPointData()->GetScalars()->Modified();
+      }
       Expect(scene.Render(160, 160) && cold.Render(160, 160) &&
           AreIdentical(scene.Color, cold.Color) && AreIdentical(scene.Depth, cold.Depth),
         "a stroke looks as in a new picture");
       cold.Mapper->ClearCache();
       auto* const statistics = scene.Mapper->GetStatistics();
-      Expect(stroke == 0 ||
-          (statistics->GetRoute() == vtkTemporalCoherenceVolumeMapper::ROUTE_TIME_STEP &&
-            statistics->GetNumberOfTracedRays() < 160 * 160 / 2),
+      Expect(statistics->GetRoute() == vtkTemporalCoherenceVolumeMapper::ROUTE_TIME_STEP &&
+          statistics->GetNumberOfTracedRays() < 160 * 160 / 2,
         "a stroke traces what sees it, not " + std::to_string(statistics->GetNumberOfTracedRays()) +
           " rays by " + statistics->GetRouteAsString() + ", with radius " + std::to_string(radius));
     }
   }
+}
+
+/// A change that was not told is found beside told ones.
+void TestChangesNotTold()
+{
+  const auto image = Balls();
+  LabelScene scene(image), cold(image);
+  const int extent[6] = { 3, 5, 3, 5, 3, 5 };
+  for (int turn = 0; turn < 4; ++turn)
+  {
+    vtkDataArray* const samples = image->GetPointData()->GetScalars();
+    samples->SetComponent(9 + 28 * (9 + 25 * (4 + turn)), 0, 5 - turn);
+    samples->Modified();
+    Expect(turn == 1 || vtkTemporalCoherenceVolumeMapper::ModifiedWithin(image, extent), "told");
+    Expect(
+      scene.Render(Size, Size) && cold.Render(Size, Size) && AreIdentical(scene.Color, cold.Color),
+      "what was not told is seen");
+    cold.Mapper->ClearCache();
+  }
+  vtkNew<vtkIntArray> other;
+  Expect(!vtkTemporalCoherenceVolumeMapper::ModifiedWithin(image, extent, other) &&
+      !vtkTemporalCoherenceVolumeMapper::ModifiedWithin(nullptr, extent),
+    "there must be an array");
+}
+
+/// Most pixels keep their label where another set is drawn.
+void TestOtherSets()
+{
+  const auto image = Balls();
+  LabelScene scene(image), cold(image);
+  for (const std::set<int>& hidden : { std::set<int>{ 0 }, { 0, 2 }, { 0, 2, 4 }, { 0, 1 } })
+  {
+    for (LabelScene* each : { &scene, &cold })
+    {
+      each->Mapper->SetLabelTable(Table(hidden));
+    }
+    Expect(scene.Render(Size, Size) && cold.Render(Size, Size) &&
+        AreIdentical(scene.Color, cold.Color) && AreIdentical(scene.Depth, cold.Depth),
+      "another set looks as in a new picture");
+    auto* const statistics = scene.Mapper->GetStatistics();
+    Expect(hidden.size() == 1 ||
+        (statistics->GetRoute() == vtkTemporalCoherenceVolumeMapper::ROUTE_KEEP_LABELS &&
+          statistics->GetNumberOfTracedRays() <
+            cold.Mapper->GetStatistics()->GetNumberOfTracedRays()),
+      "and traces fewer rays");
+    cold.Mapper->ClearCache();
+  }
+}
+
+/// Labels are as many as 32 bits have names for.
+void TestManyLabels()
+{
+  constexpr int n = 50;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(n, n, n);
+  image->AllocateScalars(VTK_INT, 1);
+  auto* const samples = static_cast<int*>(image->GetScalarPointer());
+  for (int i = 0; i < n * n * n; ++i)
+  {
+    samples[i] = 16000 * (i + 1);
+  }
+  LabelScene scene(image);
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(2);
+  table->SetTableRange(0.0, 2e9);
+  scene.Mapper->SetLabelTable(table);
+  Expect(scene.Render(Size, Size), "every sample has a label of its own");
+  double place[3], normal[3];
+  int label = 0;
+  Expect(scene.Mapper->PickPixel(Size / 2, Size / 2, place, normal, &label) && label % 16000 == 0 &&
+      label > 0,
+    "a label of 32 bits is picked");
 }
 
 void TestSettings()
@@ -475,7 +559,11 @@ int TestLabels(int, char*[])
   TestOpacities();
   TestCuts();
   TestRoutes();
-  TestStrokes();
+  TestStrokes(false);
+  TestStrokes(true);
+  TestChangesNotTold();
+  TestOtherSets();
+  TestManyLabels();
   TestSettings();
   TestMistakes();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -5,6 +5,7 @@
 
 #include "ImageCache/ImageCache.h"
 #include "Render/ReusePlan.h"
+#include "Scene/LabelSets.h"
 
 #include <gtest/gtest.h>
 
@@ -379,6 +380,38 @@ TEST(ReusePlan, OtherColorsOfAProjection)
   EXPECT_EQ(PlanRoute(last, other, {}, held), Route::Cold);
 }
 
+TEST(ReusePlan, OtherLabelsAreDrawn)
+{
+  FrameKey last = BaseKey();
+  last.Samples.Labels = std::make_shared<const LabelSets>();
+  FrameKey key = last;
+  key.EditIsosurfaces().Isovalues = { 5.0, 6.0 };
+  EXPECT_EQ(PlanRoute(last, key, {}, {}), Route::KeepLabels);
+  EXPECT_EQ(PlanRoute(key, last, {}, {}), Route::KeepLabels);
+  ReuseSwitches switches;
+  switches.FewerRays = true;
+  EXPECT_EQ(PlanRoute(last, key, switches, {}), Route::FewerRays) << "it may trace all";
+  switches = {};
+  switches.Frames = switches.Isomap = false;
+  EXPECT_EQ(PlanRoute(last, key, switches, {}), Route::Cold);
+  HeldForReuse held;
+  held.CanBuildIsomap = false;
+  const auto expectCold = [&](const FrameKey& before, const FrameKey& next, const char* what)
+  { EXPECT_EQ(PlanRoute(before, next, {}, held), Route::Cold) << what; };
+  FrameKey other = key;
+  other.View.Parallel = !other.View.Parallel;
+  expectCold(last, other, "another view");
+  other = key;
+  other.EditIsosurfaces().Opacities = { 0.5, 1.0 };
+  expectCold(last, other, "translucent labels");
+  expectCold(other, last, "translucent labels");
+  other = key;
+  other.EditIsosurfaces().Isovalues.clear();
+  expectCold(last, other, "no labels");
+  held.IsExact = false;
+  expectCold(last, key, "a picture that is not exact");
+}
+
 TEST(ReusePlan, RoutesHaveTheirNames)
 {
   EXPECT_STREQ(NameOf(Route::Cold), "Cold");
@@ -388,6 +421,7 @@ TEST(ReusePlan, RoutesHaveTheirNames)
   EXPECT_STREQ(NameOf(Route::KeepValues), "KeepValues");
   EXPECT_STREQ(NameOf(Route::FewerRays), "FewerRays");
   EXPECT_STREQ(NameOf(Route::Refine), "Refine");
+  EXPECT_STREQ(NameOf(Route::KeepLabels), "KeepLabels");
 }
 
 }

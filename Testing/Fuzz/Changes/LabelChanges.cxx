@@ -99,7 +99,19 @@ void Paint(World& world)
   }
   Story::Tell("  label ", label, " from ", low[0], ", ", low[1], ", ", low[2], " to ", high[0],
     ", ", high[1], ", ", high[2]);
-  samples->Modified();
+  if (label % 2 == 0)
+  {
+    samples->Modified();
+    return;
+  }
+  int extent[6];
+  image->GetExtent(extent);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent[2 * axis + 1] = extent[2 * axis] + high[axis] - 1;
+    extent[2 * axis] += low[axis];
+  }
+  Mapper::ModifiedWithin(image, extent);
 }
 
 /// Surfaces have the colours of some array of the data, or of none.

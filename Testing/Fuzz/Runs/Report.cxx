@@ -165,8 +165,8 @@ bool Finish(const Tally& tally, int failures, bool expectsAll)
   bool isWell = failures == 0;
   if (expectsAll)
   {
-    const std::array<const char*, 9> routes = { "Cold", "Redisplay", "Reshade", "IsomapLookup",
-      "IsomapBuild", "ImageCache", "TimeStep", "Recomposite", "KeepValues" };
+    const std::array<const char*, 10> routes = { "Cold", "Redisplay", "Reshade", "IsomapLookup",
+      "IsomapBuild", "ImageCache", "TimeStep", "Recomposite", "KeepValues", "KeepLabels" };
     for (const char* route : routes)
     {
       if (tally.Routes.count(route) == 0)

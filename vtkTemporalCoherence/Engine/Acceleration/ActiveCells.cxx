@@ -53,15 +53,32 @@ std::uint64_t ActiveCells::CellsIn(const FieldShape& shape, const glm::ivec3& fi
   return shape.CellsIn({ firstCell, glm::ivec3(LeafSize) }, this->Bands);
 }
 
-void ActiveCells::Build(
-  const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces)
+/// One bit for each leaf of a node in which the bands of some values count.
+std::uint64_t ActiveCells::LeavesThatCount(const SeenValues& values, std::int64_t node)
+{
+  if (!values.Labels)
+  {
+    return ~std::uint64_t(0);
+  }
+  const LabelSets& labels = *values.Labels;
+  return labels.LeavesWith(
+    labels.BitsOf(node, [&](std::int64_t label) { return values.CountFor->Has(label); }), node);
+}
+
+/// One bit for each leaf of a node that has several labels, some of which are drawn.
+std::uint64_t ActiveCells::LeavesWithLabels(const LabelIndex& drawn, std::int64_t node) const
+{
+  const std::uint64_t mixed = this->Labels->MixedLeaves(node);
+  return mixed == 0 ? 0
+                    : mixed &
+      this->Labels->LeavesWith(
+        this->Labels->BitsOf(node, [&](std::int64_t label) { return drawn.Has(label); }), node);
+}
+
+void ActiveCells::Build(const Field& field, const ValueRangePyramid& pyramid,
+  const Surfaces& surfaces, const ActiveCells* last)
 {
   this->Release();
-  if (field.Labels)
-  {
-    this->Labels = std::make_shared<const LabelIndex>(surfaces.Isovalues);
-    this->BitsOfLabels = LabelSets::BitsOf(surfaces.Isovalues);
-  }
   for (const double isovalue : surfaces.Isovalues)
   {
     this->Bands.push_back({ isovalue, HighestActive(field, isovalue, surfaces.Mode) });
@@ -69,7 +86,16 @@ void ActiveCells::Build(
   std::sort(this->Bands.begin(), this->Bands.end(),
     [](const ValueBand& a, const ValueBand& b) { return a.Low < b.Low; });
   this->IsCapped = field.Hidden && surfaces.Mode == SurfaceMode::Threshold;
-  this->FindLeaves(field, pyramid);
+  this->Labels = field.Labels;
+  if (this->Labels)
+  {
+    const LabelIndex drawn(surfaces.Isovalues);
+    this->FindLeaves(field, pyramid, &drawn, {}, last);
+  }
+  else
+  {
+    this->FindLeaves(field, pyramid);
+  }
 }
 
 void ActiveCells::Build(
@@ -95,7 +121,7 @@ void ActiveCells::BuildVisible(const std::vector<SeenValues>& fields)
   const SeenValues& first = fields.front();
   this->Bands = first.Bands;
   this->Others.assign(fields.begin() + 1, fields.end());
-  this->FindLeaves(first.Samples, *first.Pyramid, this->Others);
+  this->FindLeaves(first.Samples, *first.Pyramid, nullptr, this->Others);
 }
 
 /// The active leaves of a node with hidden cells. There the value range of a leaf does not tell
@@ -127,8 +153,17 @@ std::uint64_t ActiveCells::FindVisibleLeaves(const TypedField<T>& field,
   return leaves;
 }
 
-void ActiveCells::FindLeaves(
-  const Field& field, const ValueRangePyramid& pyramid, const std::vector<SeenValues>& others)
+/// True if the leaves of a node have words. Those of labels serve other sets of labels, too.
+bool ActiveCells::HasWords(std::int64_t node) const
+{
+  return this->Labels ? this->Hidden || this->Labels->LabelsOf(node).size() > 1
+                      : this->LeavesOf(node) != 0;
+}
+
+/// \param drawn labels that are drawn; null: samples are no labels
+/// \param last  see Build
+void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyramid,
+  const LabelIndex* drawn, const std::vector<SeenValues>& others, const ActiveCells* last)
 {
   const std::int64_t nodes = pyramid.NumberOfNodes();
   const glm::ivec3& along = pyramid.NodeDimensions();
@@ -144,22 +179,20 @@ void ActiveCells::FindLeaves(
         [&](std::int64_t node)
         {
           const auto* ranges = pyramid.LeavesOf<T>(node);
-          std::uint64_t leaves =
-            this->Labels ? field.Labels->LeavesWith(this->BitsOfLabels, node) : 0;
-          for (int i = 0; !this->Labels && i < ValueRangePyramid::LeavesPerNode; ++i)
+          std::uint64_t leaves = drawn ? this->LeavesWithLabels(*drawn, node) : 0;
+          for (int i = 0; !drawn && i < ValueRangePyramid::LeavesPerNode; ++i)
           {
             leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Bands)) << i;
           }
           for (const SeenValues& other : others)
           {
             const auto* othersRanges = other.Pyramid->LeavesOf<T>(node);
+            std::uint64_t active = 0;
             for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
             {
-              const bool isActive =
-                (!other.Labels || other.Labels->Has(other.LabelBits, node, i)) &&
-                IsActive(othersRanges[i], other.Bands);
-              leaves |= static_cast<std::uint64_t>(isActive) << i;
+              active |= static_cast<std::uint64_t>(IsActive(othersRanges[i], other.Bands)) << i;
             }
+            leaves |= active & LeavesThatCount(other, node);
           }
           if (this->Hidden)
           {
@@ -173,12 +206,14 @@ void ActiveCells::FindLeaves(
     });
 
   std::uint64_t words = 0;
-  for (std::size_t node = 0; node < this->NodeWords.size(); node += 2)
+  for (std::int64_t node = 0; node < nodes; ++node)
   {
-    this->NodeWords[node + 1] = words;
-    words += this->NodeWords[node] != 0 ? ValueRangePyramid::LeavesPerNode : 0;
+    this->NodeWords[static_cast<std::size_t>(2 * node + 1)] = words;
+    words += this->HasWords(node) ? ValueRangePyramid::LeavesPerNode : 0;
   }
-  this->LeafWords = std::make_unique<std::atomic<std::uint64_t>[]>(words);
+  this->LeafWords = last ? last->LeafWords
+                         : std::shared_ptr<std::atomic<std::uint64_t>[]>(
+                             new std::atomic<std::uint64_t>[static_cast<std::size_t>(words)]());
   this->NumberOfLeafWords = words;
   this->FindLevelsAbove(pyramid.NodeDimensions());
 }

@@ -27,14 +27,14 @@ namespace TemporalCoherence
 /// sample must lie below the highest. Hidden cells are never active. With THRESHOLD their
 /// neighbours are active unless they are outside, because solids are capped there.
 ///
-/// If samples are labels, a cell is active where its samples have different labels and some label
-/// is drawn.
+/// If samples are labels, a cell is active where its samples have different labels, in a leaf with
+/// a label that is drawn.
 ///
 /// Each node of the pyramid has a 64-bit word for its active leaves, and each active leaf one for
 /// its active cells. A ray skips 16 or 4 cells in one step where a word is empty, and tests a cell
 /// without reading samples. The words of nodes are built from the pyramid alone. The word of a leaf
 /// is computed when a ray first asks for it, so that leaves no ray reaches cost nothing. No word
-/// depends on the view.
+/// depends on the view. Those of labels' leaves do not depend on which labels are drawn, either.
 class ActiveCells
 {
 public:
@@ -45,7 +45,9 @@ public:
 
   /// Find the active leaves.
   /// \throws std::bad_alloc; no cell is active then
-  void Build(const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces);
+  /// \param last cells of another set of labels of this field, whose words are shared; may be null
+  void Build(const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces,
+    const ActiveCells* last = nullptr);
   void Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band,
     SurfaceMode mode = SurfaceMode::Crossing);
 
@@ -60,9 +62,9 @@ public:
     Field Samples;
     const ValueRangePyramid* Pyramid;
     std::vector<ValueBand> Bands; ///< ascending; the upper end is not visible
-    /// Labels of samples, if Bands count for LabelBits only; else null.
+    /// Labels of samples, if Bands count for some labels only; else null.
     std::shared_ptr<const LabelSets> Labels;
-    std::uint64_t LabelBits = 0; ///< LabelSets::BitsOf the labels for which the bands count
+    std::shared_ptr<const LabelIndex> CountFor; ///< these labels
   };
 
   /// Build from several fields that differ only in values: cells with a visible value of any field.
@@ -165,8 +167,12 @@ private:
   }
 
   std::uint64_t CellsIn(const FieldShape& shape, const glm::ivec3& firstCell) const;
+  static std::uint64_t LeavesThatCount(const SeenValues& values, std::int64_t node);
+  std::uint64_t LeavesWithLabels(const LabelIndex& drawn, std::int64_t node) const;
+  bool HasWords(std::int64_t node) const;
   void FindLeaves(const Field& field, const ValueRangePyramid& pyramid,
-    const std::vector<SeenValues>& others = {});
+    const LabelIndex* drawn = nullptr, const std::vector<SeenValues>& others = {},
+    const ActiveCells* last = nullptr);
   void FindLevelsAbove(const glm::ivec3& nodes);
 
   template <typename T>
@@ -181,7 +187,7 @@ private:
     const TypedField<T>& field, const std::vector<ValueBand>& bands, const glm::ivec3& firstCell);
 
   template <typename T>
-  std::uint64_t CellsOfLabels(const TypedField<T>& field, const glm::ivec3& firstCell) const;
+  std::uint64_t MixedCells(const TypedField<T>& field, const glm::ivec3& firstCell) const;
 
   template <typename T>
   std::uint64_t WithoutHidden(
@@ -204,13 +210,12 @@ private:
   std::vector<ValueBand> Bands;         ///< ascending
   std::vector<SeenValues> Others;       ///< of other fields; their pyramids may be gone
   std::vector<std::uint64_t> NodeWords; ///< leaves of a node, and where their words begin
-  std::unique_ptr<std::atomic<std::uint64_t>[]> LeafWords;
+  std::shared_ptr<std::atomic<std::uint64_t>[]> LeafWords;
   std::size_t NumberOfLeafWords = 0;
   std::vector<Level> Above;
   std::shared_ptr<const HiddenCells> Hidden; ///< null for none
   bool IsCapped = false;                     ///< THRESHOLD solids are capped at hidden cells
-  std::shared_ptr<const LabelIndex> Labels;  ///< that are drawn; null: samples are no labels
-  std::uint64_t BitsOfLabels = 0;            ///< LabelSets::BitsOf these
+  std::shared_ptr<const LabelSets> Labels;   ///< of the samples; null: they are no labels
 };
 
 template <typename T>
@@ -218,13 +223,12 @@ std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec
 {
   if (this->Labels)
   {
-    return this->CellsOfLabels(field, firstCell);
+    return this->MixedCells(field, firstCell);
   }
   std::uint64_t active = CellsWithin(field, this->Bands, firstCell);
   for (const SeenValues& other : this->Others)
   {
-    if (!other.Labels ||
-      other.Labels->Has(other.LabelBits, this->NodeOf(firstCell), LeafOf(firstCell)))
+    if (LeavesThatCount(other, this->NodeOf(firstCell)) >> LeafOf(firstCell) & 1u)
     {
       active |= CellsWithin(TypedField<T>(other.Samples), other.Bands, firstCell);
     }
@@ -281,19 +285,16 @@ std::uint64_t ActiveCells::CellsWithin(
 
 /// The active cells of a leaf of labels.
 template <typename T>
-std::uint64_t ActiveCells::CellsOfLabels(
-  const TypedField<T>& field, const glm::ivec3& firstCell) const
+std::uint64_t ActiveCells::MixedCells(const TypedField<T>& field, const glm::ivec3& firstCell) const
 {
   const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
   const std::uint32_t cellsInRow = (1u << (samples.x - 1)) - 1u;
-  std::uint64_t drawn = 0, mixed = 0; // cells with a sample that is drawn, and with two labels
+  std::uint64_t mixed = 0;
   for (int k = 0; k < samples.z; ++k)
   {
     for (int j = 0; j < samples.y; ++j)
     {
-      // Bits of a row: samples that are drawn, and samples that differ from the next one along each
-      // axis.
-      std::uint32_t isDrawn = 0;
+      // Bits of a row: samples that differ from the next one along each axis.
       std::array<std::uint32_t, 3> differs{};
       const T* const row = field.At(firstCell + glm::ivec3(0, j, k));
       for (int i = 0; i < samples.x; ++i)
@@ -301,13 +302,11 @@ std::uint64_t ActiveCells::CellsOfLabels(
         const T* const sample = row + i * field.Strides.x;
         const auto isOther = [&](bool hasNext, std::int64_t stride)
         { return static_cast<std::uint32_t>(hasNext && sample[0] != sample[stride]) << i; };
-        const SurfaceIndex surface = this->Labels->Of(static_cast<std::int64_t>(*sample));
-        isDrawn |= static_cast<std::uint32_t>(surface != Frame::NoSurface) << i;
         differs[0] |= isOther(i + 1 < samples.x, field.Strides.x);
         differs[1] |= isOther(j + 1 < samples.y, field.Strides.y);
         differs[2] |= isOther(k + 1 < samples.z, field.Strides.z);
       }
-      // Neighbouring cells share samples and edges.
+      // Neighbouring cells share edges.
       const auto besideX = [&](std::uint32_t bits) -> std::uint64_t
       { return (bits | bits >> 1) & cellsInRow; };
       for (int z = k > 0 ? k - 1 : 0; z <= k && z < samples.z - 1; ++z)
@@ -315,7 +314,6 @@ std::uint64_t ActiveCells::CellsOfLabels(
         for (int y = j > 0 ? j - 1 : 0; y <= j && y < samples.y - 1; ++y)
         {
           const int at = 4 * y + 16 * z;
-          drawn |= besideX(isDrawn) << at;
           mixed |= static_cast<std::uint64_t>(differs[0]) << at;
           mixed |= (y == j ? besideX(differs[1]) : 0) << at;
           mixed |= (z == k ? besideX(differs[2]) : 0) << at;
@@ -323,13 +321,8 @@ std::uint64_t ActiveCells::CellsOfLabels(
       }
     }
   }
-  const std::uint64_t active = mixed & drawn;
-  if (!this->Hidden)
-  {
-    return active;
-  }
-  const std::uint64_t hidden = this->Hidden->LeafAt(firstCell);
-  return (active | (drawn & this->Hidden->Around(firstCell))) & ~hidden;
+  return this->Hidden ? (mixed | this->Hidden->Around(firstCell)) & ~this->Hidden->LeafAt(firstCell)
+                      : mixed;
 }
 
 /// The active cells of a leaf, given the cells that would be active without hidden cells.

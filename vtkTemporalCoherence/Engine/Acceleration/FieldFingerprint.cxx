@@ -63,22 +63,24 @@ int EndOf(int node, int nodes, int samples)
 
 /// The hashes of a row of nodes, computed in the order of memory: all nodes along x at the same
 /// time.
-/// \param node  y and z of the row
-/// \param nodes along each axis
+/// \param from, end the nodes along x
+/// \param node      y and z of the row
+/// \param nodes     along each axis
+/// \param hashes    of all nodes of the row
 template <typename T>
-void HashRow(const TypedField<T>& field, const glm::ivec2& node, const glm::ivec3& nodes,
-  std::uint64_t* hashes)
+void HashRow(const TypedField<T>& field, int from, int end, const glm::ivec2& node,
+  const glm::ivec3& nodes, std::uint64_t* hashes)
 {
-  std::fill_n(hashes, nodes.x, Seed);
+  std::fill(hashes + from, hashes + end, Seed);
   const glm::ivec2 first = NodeSize * node;
-  const glm::ivec2 end(
+  const glm::ivec2 last(
     EndOf(node.x, nodes.y, field.Dimensions.y), EndOf(node.y, nodes.z, field.Dimensions.z));
   std::array<T, NodeSize + 1> gathered;
-  for (int k = first.y; k < end.y; ++k)
+  for (int k = first.y; k < last.y; ++k)
   {
-    for (int j = first.x; j < end.x; ++j)
+    for (int j = first.x; j < last.x; ++j)
     {
-      for (int n = 0; n < nodes.x; ++n)
+      for (int n = from; n < end; ++n)
       {
         const int i = n * NodeSize;
         const int count = EndOf(n, nodes.x, field.Dimensions.x) - i;
@@ -111,34 +113,80 @@ FieldFingerprint FingerprintOf(const Field& field)
     {
       const TypedField<decltype(type)> samples(field);
       ParallelFor(static_cast<std::int64_t>(nodes.y) * nodes.z, 1,
-        [&](std::int64_t row) {
-          HashRow(
-            samples, { row % nodes.y, row / nodes.y }, nodes, print.Nodes.data() + row * nodes.x);
+        [&](std::int64_t row)
+        {
+          HashRow(samples, 0, nodes.x, { row % nodes.y, row / nodes.y }, nodes,
+            print.Nodes.data() + row * nodes.x);
         });
     });
   return print;
 }
 
-std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFingerprint& now)
+FieldFingerprint FingerprintOf(
+  const Field& field, const FieldFingerprint& last, const std::vector<SampleBox>& within)
 {
-  const glm::ivec3 nodes = ValueRangePyramid::NodesFor(now.Samples.Dimensions);
-  const int reach = Reach + now.Samples.Shape->Abilities().Reach;
+  const glm::ivec3 nodes = ValueRangePyramid::NodesFor(field.Dimensions);
+  FieldFingerprint print{ field, last.Nodes };
+  DispatchScalarType(field.Type,
+    [&](auto type)
+    {
+      const TypedField<decltype(type)> samples(field);
+      for (const SampleBox& box : within)
+      {
+        const glm::ivec3 first = glm::min(box.First / NodeSize, nodes - 1);
+        const glm::ivec3 end = glm::min(box.Last / NodeSize + 1, nodes);
+        for (int k = first.z; k < end.z; ++k)
+        {
+          for (int j = first.y; j < end.y; ++j)
+          {
+            const std::int64_t row = j + static_cast<std::int64_t>(nodes.y) * k;
+            HashRow(samples, first.x, end.x, { j, k }, nodes, print.Nodes.data() + row * nodes.x);
+          }
+        }
+      }
+    });
+  return print;
+}
+
+namespace
+{
+
+/// The cells whose picture some samples affect.
+std::vector<CellBox> CellsAround(const std::vector<SampleBox>& samples, const Field& field)
+{
+  const int reach = Reach + field.Shape->Abilities().Reach;
   std::vector<CellBox> boxes;
+  for (const SampleBox& box : samples)
+  {
+    const glm::ivec3 first = glm::max(box.First - 1 - reach, 0);
+    const glm::ivec3 last = glm::min(box.Last + 1 + reach, field.Dimensions - 1);
+    boxes.push_back({ first, last - first });
+  }
+  return boxes;
+}
+
+}
+
+std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFingerprint& now,
+  const std::optional<std::vector<SampleBox>>& within)
+{
+  if (within && before.Nodes != now.Nodes)
+  {
+    return CellsAround(*within, now.Samples);
+  }
+  const glm::ivec3 nodes = ValueRangePyramid::NodesFor(now.Samples.Dimensions);
+  std::vector<SampleBox> changed;
   for (std::size_t i = 0; i < now.Nodes.size(); ++i)
   {
     if (before.Nodes[i] != now.Nodes[i])
     {
+      // The last samples of a row may be in its last node, too.
       const auto node = static_cast<std::int64_t>(i);
       const glm::ivec3 place(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
-      // The outermost samples of a node also belong to cells of its neighbours, and the first ones
-      // are corners of cells before it.
-      const glm::ivec3 first = glm::max(NodeSize * place - 1 - reach, 0);
-      const glm::ivec3 last =
-        glm::min(NodeSize * (place + 1) + 1 + reach, now.Samples.Dimensions - 1);
-      boxes.push_back({ first, last - first });
+      changed.push_back({ NodeSize * place, NodeSize * (place + 1) });
     }
   }
-  return boxes;
+  return CellsAround(changed, now.Samples);
 }
 
 }

@@ -5,6 +5,7 @@
 
 #include "Scene/CellBox.h"
 #include "Scene/Field.h"
+#include "Scene/SampleChanges.h"
 
 #include <cstdint>
 #include <vector>
@@ -30,9 +31,17 @@ struct FieldFingerprint
 /// \throws std::bad_alloc
 FieldFingerprint FingerprintOf(const Field& field);
 
+/// Read only the nodes around some samples.
+/// \param last   fingerprint of the field when all other samples were the same
+/// \param within where samples may have changed since
+FieldFingerprint FingerprintOf(
+  const Field& field, const FieldFingerprint& last, const std::vector<SampleBox>& within);
+
 /// Boxes of cells. Changed samples affect no picture outside of them. Empty if no sample changed.
+/// \param within where samples may have changed, if that is known
 /// \pre AreAlike(before.Samples, now.Samples)
-std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFingerprint& now);
+std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFingerprint& now,
+  const std::optional<std::vector<SampleBox>>& within = std::nullopt);
 
 }
 

@@ -55,6 +55,7 @@ void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldRan
 void FieldStructures::Provide(
   const FieldRanges& ranges, const Surfaces& surfaces, std::shared_ptr<const SurfaceCells>& held)
 {
+  const auto last = ranges.Samples.Labels && held->Samples == ranges.Samples ? held : nullptr;
   held = std::make_shared<const SurfaceCells>();
   auto found = FindHeld(this->Cells,
     [&](const SurfaceCells& cells)
@@ -63,7 +64,7 @@ void FieldStructures::Provide(
   {
     const auto made = std::make_shared<SurfaceCells>();
     const auto active = std::make_shared<ActiveCells>();
-    active->Build(ranges.Samples, *ranges.Pyramid, surfaces);
+    active->Build(ranges.Samples, *ranges.Pyramid, surfaces, last ? last->Active.get() : nullptr);
     made->Active = active;
     made->Samples = ranges.Samples;
     made->Isosurfaces = surfaces;
@@ -85,7 +86,7 @@ void FieldStructures::Provide(
     for (const VisibleValues& each : values)
     {
       fields.push_back({ each.Ranges->Samples, each.Ranges->Pyramid.get(), each.Bands, each.Labels,
-        each.LabelBits });
+        std::make_shared<const LabelIndex>(each.CountFor) });
     }
     const auto active = std::make_shared<ActiveCells>();
     active->BuildVisible(fields);

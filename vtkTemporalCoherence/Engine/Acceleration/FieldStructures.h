@@ -38,13 +38,13 @@ struct VisibleValues
   std::vector<ValueBand> Bands;
   /// Labels of samples, if the bands count for some of them only (ActiveCells::SeenValues).
   std::shared_ptr<const LabelSets> Labels;
-  std::uint64_t LabelBits = 0;
+  std::vector<double> CountFor; ///< these labels, ascending
 };
 
 inline bool operator==(const VisibleValues& a, const VisibleValues& b)
 {
   return a.Ranges->Samples == b.Ranges->Samples && a.Bands == b.Bands && a.Labels == b.Labels &&
-    a.LabelBits == b.LabelBits;
+    a.CountFor == b.CountFor;
 }
 
 /// The cells of a field that hold a visible value of any of several components.

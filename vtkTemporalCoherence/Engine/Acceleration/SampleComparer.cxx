@@ -4,6 +4,7 @@
 
 #include "Acceleration/TileBounds.h"
 #include "Scene/FrameKey.h"
+#include "Scene/LabelSets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +22,16 @@ SampleComparer::Result SampleComparer::Compare(
     return Result::Unknown;
   }
   shared.Provide(next, this->Next);
+  if (last.Labels && !last.Labels->Hashes().empty())
+  {
+    shared.Provide(last, this->Last); // reads no samples
+  }
   if (!this->Last || !(this->Last->Samples == last))
   {
     return Result::Unknown;
   }
-  this->Changed = ChangedCells(*this->Last, *this->Next);
+  this->Changed = ChangedCells(*this->Last, *this->Next,
+    next.Labels ? ChangesBetween(next.Labels->Changes(), last.Stamp, next.Stamp) : std::nullopt);
   return this->Changed.empty() ? Result::Equal : Result::Different;
 }
 
@@ -48,10 +54,13 @@ double SampleComparer::ShareToTrace() const
 
 void SampleComparer::Take(const Field& shown, const FieldRanges& ranges)
 {
-  const bool isKnown = this->Next && this->Next->Samples == shown && ranges.Samples == shown;
-  if (isKnown && this->Next != this->Last)
+  if (!(ranges.Samples == shown))
   {
-    this->LimitsOfLast = LimitsOf(ranges);
+    return;
+  }
+  this->LimitsOfLast = LimitsOf(ranges);
+  if (this->Next && this->Next->Samples == shown)
+  {
     this->Last = this->Next;
   }
 }

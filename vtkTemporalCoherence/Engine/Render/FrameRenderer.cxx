@@ -280,6 +280,8 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       return CompositeKnownLayers(task);
     case Route::KeepValues:
       return BlendKnownValues(task);
+    case Route::KeepLabels:
+      return TraceChangedLabels(task, this->Changes);
     case Route::FewerRays:
       return TraceFewerRays(task, this->Grid);
     case Route::Refine:

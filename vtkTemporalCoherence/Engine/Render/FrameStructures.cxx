@@ -83,7 +83,7 @@ std::vector<VisibleValues> FrameStructures::VisibleValuesOf(
       ranges = held;
     }
     values.push_back({ ranges, seen.Bands, seen.HasLabels ? volume.Labels->Samples.Labels : nullptr,
-      seen.LabelBits });
+      seen.CountFor });
   }
   return values;
 }
@@ -101,6 +101,15 @@ void FrameStructures::PrepareBounds(const FrameKey& key, const ActiveCells& cell
     this->BoundTransform = key.Transform;
     this->BoundCells = &cells;
   }
+}
+
+TileBounds FrameStructures::BoundsOf(const FrameKey& key, const Surfaces& labels) const
+{
+  ActiveCells active;
+  active.Build(this->OfData->Samples, this->Pyramid(), labels, this->OfSurfaces->Active.get());
+  TileBounds bounds;
+  bounds.Build(key.View, key.Transform, active, *key.Samples.Shape);
+  return bounds;
 }
 
 std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key) const

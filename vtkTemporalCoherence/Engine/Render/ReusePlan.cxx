@@ -31,6 +31,18 @@ bool KnowsLayers(const FrameChange& change, const FrameKey& next, const HeldForR
     !next.Isosurfaces().Isovalues.empty();
 }
 
+/// True if rays may keep the labels that they met, as other labels are drawn. Behind translucent
+/// ones they would meet more.
+bool KeepsLabels(
+  const FrameChange& change, const FrameKey& last, const FrameKey& next, const HeldForReuse& held)
+{
+  const bool areSamplesKnown = !change.Data || (change.Samples && held.ShareToTrace <= MostToTrace);
+  return change.Surfaces && areSamplesKnown && !change.View && held.IsExact &&
+    next.Samples.Labels && last.Isosurfaces().Mode == next.Isosurfaces().Mode &&
+    !last.Isosurfaces().IsTranslucent() && !next.Isosurfaces().IsTranslucent() &&
+    !next.Isosurfaces().Isovalues.empty();
+}
+
 /// The route from one blended volume to another.
 Route PlanVolume(const FrameChange& change, const FrameKey& last, const FrameKey& next,
   const ReuseSwitches& switches, const HeldForReuse& held)
@@ -69,6 +81,10 @@ Route PlanWhole(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   {
     return Route::Recomposite;
   }
+  if (switches.Frames && KeepsLabels(change, last, next, held))
+  {
+    return Route::KeepLabels;
+  }
   // An isomap serves whatever the last frame was. But with a tolerance it cannot refine a picture
   // that is not exact.
   if (switches.Isomap && held.Isomap && !next.Isosurfaces().Isovalues.empty() &&
@@ -92,12 +108,13 @@ Route PlanWhole(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   return switches.Isomap && held.CanBuildIsomap ? Route::IsomapBuild : Route::Cold;
 }
 
-/// True if a route takes about as long as tracing every ray. Of translucent surfaces, an isomap
+/// True if a route can take about as long as tracing every ray. Of translucent surfaces, an isomap
 /// tells only the first on each ray.
 bool TracesAll(Route route, const FrameKey& next)
 {
   const bool looksUp = route == Route::IsomapLookup || route == Route::IsomapBuild;
-  return route == Route::Cold || (looksUp && next.Isosurfaces().IsTranslucent());
+  return route == Route::Cold || route == Route::KeepLabels ||
+    (looksUp && next.Isosurfaces().IsTranslucent());
 }
 
 }
@@ -137,6 +154,8 @@ const char* NameOf(Route route)
       return "FewerRays";
     case Route::Refine:
       return "Refine";
+    case Route::KeepLabels:
+      return "KeepLabels";
   }
   return "";
 }

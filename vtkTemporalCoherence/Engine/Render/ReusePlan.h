@@ -24,7 +24,8 @@ enum class Route : std::uint8_t
   KeepValues = 10, ///< only a projection's colours changed: known values get colours
   Antialias,       ///< nothing changed: pixels at edges get more rays, or lose them
   FewerRays,       ///< some rays are traced, and pixels between them are interpolated
-  Refine           ///< nothing changed: tiles between rays are traced
+  Refine,          ///< nothing changed: tiles between rays are traced
+  KeepLabels       ///< other labels are drawn: rays keep what they met unless that changes
 };
 
 /// The route's name as in the documentation, for example "Cold".

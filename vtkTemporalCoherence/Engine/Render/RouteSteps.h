@@ -27,6 +27,15 @@ inline FrameExtras ExtrasOf(const FrameTask& task)
   return extras;
 }
 
+/// ExtrasOf, for a frame that copies planes of the last one: no plane that the last one lacks.
+inline FrameExtras ExtrasToCopy(const FrameTask& task)
+{
+  const Frame& last = task.Store.Last().Picture;
+  FrameExtras extras = ExtrasOf(task);
+  extras.Disparities = extras.Disparities && !last.Disparities.empty();
+  return extras;
+}
+
 /// Make room for the frame, and find out where its rays can meet surfaces.
 inline LeapedSpace Begin(FrameTask& task, bool leaps, const FrameExtras& extras)
 {

@@ -52,15 +52,6 @@ void CountKnownHits(FrameTask& task, const Frame& picture)
   statistics.DefiniteHits = statistics.Rays - statistics.DefiniteMisses;
 }
 
-/// ExtrasOf, for a frame that copies planes of the last one: no plane that the last one lacks.
-FrameExtras ExtrasToCopy(const FrameTask& task)
-{
-  const Frame& last = task.Store.Last().Picture;
-  FrameExtras extras = ExtrasOf(task);
-  extras.Disparities = extras.Disparities && !last.Disparities.empty();
-  return extras;
-}
-
 /// True if the colours of a cached image may be re-used: surfaces and lights must be the same.
 /// Lights may have moved, as a headlight does with every view (the paper's choice).
 bool HasColorsFor(const CachedImage& cached, const FrameKey& next)

@@ -76,6 +76,11 @@ bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes);
 /// \pre the last frame is exact
 bool CompositeKnownLayers(FrameTask& task);
 
+/// KeepLabels: other labels are drawn. Rays are traced if they met a label that is gone, may meet
+/// an added one first, or pass changed samples. The others keep what they met.
+/// \pre the last frame is exact, and labels are opaque in both
+bool TraceChangedLabels(FrameTask& task, const SampleComparer& changes);
+
 /// IsomapLookup and IsomapBuild: hits are looked up in tiles that have bands, and only unresolved
 /// rays are traced. Some other tiles get new bands; the rest trace all rays.
 /// \param map  of the view of the key

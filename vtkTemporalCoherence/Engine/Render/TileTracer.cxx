@@ -8,6 +8,8 @@
 #include "Scene/FramePlanes.h"
 #include "Scene/Timers.h"
 
+#include <algorithm>
+
 namespace TemporalCoherence
 {
 namespace
@@ -92,15 +94,15 @@ TraceCounts TileTracer::Trace(
   return counts;
 }
 
-TraceCounts TileTracer::TraceSome(
-  std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const
+TraceCounts TileTracer::TraceSome(std::int64_t tile, const PixelRect& part, std::uint64_t which,
+  Frame& frame, const Frame* before) const
 {
   TraceCounts counts;
   RayBatch all;
   TileHits found;
   RayBatch& rays = found.Rays;
   this->Rays.SetUp(part.First, part.Size, all);
-  all.MayBeCapped = this->MayBeCapped(tile);
+  all.MayBeCapped = !before && this->MayBeCapped(tile);
   if (this->Scene.Active)
   {
     this->Scene.Bounds->Narrow(tile, all);
@@ -109,6 +111,11 @@ TraceCounts TileTracer::TraceSome(
   {
     if (which >> i & 1u)
     {
+      if (before)
+      {
+        const double met = before->Depth[static_cast<std::size_t>(all.Pixel[i])];
+        all.WalkBegin[i] = std::max(all.WalkBegin[i], met);
+      }
       AppendRay(all, i, rays);
     }
   }

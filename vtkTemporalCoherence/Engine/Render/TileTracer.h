@@ -43,8 +43,11 @@ public:
   TraceCounts Trace(std::int64_t tile, const PixelRect& part, Frame& frame, TileHits& found) const;
 
   /// Trace some rays of a tile, one bit each, without a hint.
-  TraceCounts TraceSome(
-    std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const;
+  /// \param before a picture of the same rays, which meet nothing until they meet what it shows;
+  /// may
+  ///               be null
+  TraceCounts TraceSome(std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame,
+    const Frame* before = nullptr) const;
 
   /// Trace rays that go anywhere through a tile, whatever the hint.
   /// \param found receives the rays and, unless surfaces are translucent, their hits

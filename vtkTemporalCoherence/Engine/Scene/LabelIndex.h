@@ -31,6 +31,8 @@ public:
                                        : this->Search(label);
   }
 
+  bool Has(std::int64_t label) const { return this->Of(label) != Frame::NoSurface; }
+
 private:
   SurfaceIndex Search(std::int64_t label) const;
 

@@ -6,7 +6,6 @@
 #include "Scene/Parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <new>
 #include <numeric>
@@ -20,136 +19,152 @@ namespace
 
 constexpr int LeafSize = CellBlocks::LeafSize, NodeSize = CellBlocks::NodeSize;
 constexpr int LeavesInRow = NodeSize / LeafSize;
-constexpr std::uint64_t Several = std::uint64_t(1) << 63;
 
-/// The labels of a node, which are mostly added many times in a row.
+/// The first and the last leaf of a row that have a sample: one between leaves belongs to both.
+int FirstLeafOf(int sample)
+{
+  return sample == 0 ? 0 : (sample - 1) / LeafSize;
+}
+int LastLeafOf(int sample)
+{
+  return std::min(sample / LeafSize, LeavesInRow - 1);
+}
+
+}
+
+/// Finds the labels of nodes, and of their leaves.
 template <typename T>
-class FoundLabels
+class LabelSets::NodeScan
 {
 public:
-  void Add(T label)
-  {
-    if (this->Seen.empty() || label != this->Seen.back())
-    {
-      this->Seen.push_back(label);
-    }
-  }
-
-  /// Take the labels, ascending, each once.
-  void TakeTo(std::vector<std::int64_t>& labels)
-  {
-    std::sort(this->Seen.begin(), this->Seen.end());
-    this->Seen.erase(std::unique(this->Seen.begin(), this->Seen.end()), this->Seen.end());
-    labels.assign(this->Seen.begin(), this->Seen.end());
-    this->Seen.clear();
-  }
-
-private:
-  std::vector<T> Seen;
-};
-
-/// Finds the labels in the leaves of a node.
-template <typename T>
-class NodeScan
-{
-public:
-  using Words = std::array<std::uint64_t, CellBlocks::LeavesPerNode>;
-
-  NodeScan(const TypedField<T>& field, FoundLabels<T>& found)
+  explicit NodeScan(const TypedField<T>& field)
     : Samples(field)
-    , Found(found)
   {
   }
 
   /// \param firstCell of the node
-  void Scan(const glm::ivec3& firstCell, Words& words)
+  /// \param labels    receives its labels, ascending
+  /// \param leaves    receives the sets of its leaves
+  void Scan(const glm::ivec3& firstCell, std::vector<std::int64_t>& labels, std::uint64_t* leaves)
   {
-    words.fill(0);
     this->First = firstCell;
-    const glm::ivec3 count =
-      glm::min(this->Samples.Dimensions - firstCell, glm::ivec3(NodeSize + 1));
-    for (int k = 0; k < count.z; ++k)
+    this->Count = glm::min(this->Samples.Dimensions - firstCell, glm::ivec3(NodeSize + 1));
+    this->FindLabels(labels);
+    std::fill_n(leaves, CellBlocks::LeavesPerNode, 0);
+    if (labels.size() == 1)
     {
-      for (int j = 0; j < count.y; ++j)
+      for (int leaf = 0; leaf < CellBlocks::LeavesPerNode; ++leaf)
       {
-        std::array<Part, LeavesInRow> parts;
-        this->ScanRow(this->Samples.At(firstCell + glm::ivec3(0, j, k)), count.x, parts);
-        // A sample between leaves belongs to both.
-        for (int z = LastLeaf(k); z >= FirstLeaf(k); --z)
-        {
-          for (int y = LastLeaf(j); y >= FirstLeaf(j); --y)
-          {
-            this->AddRow({ 0, y, z }, parts, words);
-          }
-        }
+        leaves[leaf] = this->HasCells(leaf) ? std::uint64_t(1) << BitAt(0) : 0;
       }
+      return;
+    }
+    this->Labels = &labels;
+    this->LastBit = 0;
+    for (int k = 0; k < this->Count.z; ++k)
+    {
+      for (int j = 0; j < this->Count.y; ++j)
+      {
+        this->AddRow(j, k, leaves);
+      }
+    }
+    for (int leaf = 0; leaf < CellBlocks::LeavesPerNode; ++leaf)
+    {
+      const bool mayShare = labels.size() > LabelBits; // then a bit does not tell
+      const bool hasSeveral = mayShare || (leaves[leaf] & (leaves[leaf] - 1)) != 0;
+      leaves[leaf] = this->HasCells(leaf) ? leaves[leaf] | (hasSeveral ? Several : 0) : 0;
     }
   }
 
 private:
-  /// The samples of a row in a leaf.
-  struct Part
+  void FindLabels(std::vector<std::int64_t>& labels)
   {
-    std::uint64_t Bits = 0; ///< 0: there are none
-    T Label{};              ///< of the first sample
-  };
-
-  static int FirstLeaf(int sample) { return sample == 0 ? 0 : (sample - 1) / LeafSize; }
-  static int LastLeaf(int sample) { return std::min(sample / LeafSize, LeavesInRow - 1); }
-
-  void ScanRow(const T* row, int count, std::array<Part, LeavesInRow>& parts)
-  {
+    this->Seen.clear();
     const std::int64_t stride = this->Samples.Strides.x;
-    bool isUniform = true;
-    for (int i = 1; i < count; ++i)
+    for (int k = 0; k < this->Count.z; ++k)
     {
-      isUniform &= row[i * stride] == row[0];
-    }
-    this->Found.Add(row[0]);
-    const std::uint64_t bit = LabelSets::BitOf(static_cast<std::int64_t>(row[0]));
-    for (int leaf = 0; leaf < LeavesInRow && leaf * LeafSize + 1 < count; ++leaf)
-    {
-      Part& part = parts[static_cast<std::size_t>(leaf)];
-      part = { bit, row[0] };
-      if (!isUniform)
+      for (int j = 0; j < this->Count.y; ++j)
       {
-        const int first = leaf * LeafSize, end = std::min(first + LeafSize + 1, count);
-        part = { 0, row[first * stride] };
-        for (int i = first; i < end; ++i)
+        const T* const row = this->Samples.At(this->First + glm::ivec3(0, j, k));
+        bool isUniform = true;
+        for (int i = 1; i < this->Count.x; ++i)
         {
-          const T label = row[i * stride];
-          this->Found.Add(label);
-          part.Bits |= LabelSets::BitOf(static_cast<std::int64_t>(label)) |
-            (label != part.Label ? Several : 0);
+          isUniform &= row[i * stride] == row[0];
+        }
+        for (int i = 0; i < (isUniform ? 1 : this->Count.x); ++i)
+        {
+          // Labels mostly come many times in a row.
+          const auto label = static_cast<std::int64_t>(row[i * stride]);
+          if (this->Seen.empty() || this->Seen.back() != label)
+          {
+            this->Seen.push_back(label);
+          }
         }
       }
     }
+    std::sort(this->Seen.begin(), this->Seen.end());
+    this->Seen.erase(std::unique(this->Seen.begin(), this->Seen.end()), this->Seen.end());
+    labels.assign(this->Seen.begin(), this->Seen.end());
   }
 
-  /// Add a row to a row of leaves.
-  void AddRow(
-    const glm::ivec3& leaves, const std::array<Part, LeavesInRow>& parts, Words& words) const
+  /// True if a leaf of the node lies within the field.
+  bool HasCells(int leaf) const
   {
-    for (int x = 0; x < LeavesInRow; ++x)
+    const glm::ivec3 first = LeafSize * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4);
+    return glm::all(glm::lessThan(first, this->Count - 1));
+  }
+
+  /// The bit of a label of the node.
+  std::uint64_t BitOf(T label)
+  {
+    if (label != this->LastLabel || this->LastBit == 0)
     {
-      const Part& part = parts[static_cast<std::size_t>(x)];
-      const glm::ivec3 leaf(x, leaves.y, leaves.z);
-      const glm::ivec3 first = this->First + LeafSize * leaf;
-      if (part.Bits != 0 && glm::all(glm::lessThan(first, this->Samples.Dimensions - 1)))
+      const auto place = std::lower_bound(
+        this->Labels->begin(), this->Labels->end(), static_cast<std::int64_t>(label));
+      this->LastLabel = label;
+      this->LastBit = std::uint64_t(1)
+        << BitAt(static_cast<std::size_t>(place - this->Labels->begin()));
+    }
+    return this->LastBit;
+  }
+
+  /// Add a row of samples to the sets of its leaves.
+  void AddRow(int j, int k, std::uint64_t* leaves)
+  {
+    const T* const row = this->Samples.At(this->First + glm::ivec3(0, j, k));
+    const std::int64_t stride = this->Samples.Strides.x;
+    for (int x = 0; x < LeavesInRow && x * LeafSize + 1 < this->Count.x; ++x)
+    {
+      const T* const begin = row + x * LeafSize * stride;
+      const int count = std::min(this->Count.x - x * LeafSize, LeafSize + 1);
+      std::uint64_t bits = this->BitOf(*begin);
+      for (int i = 1; i < count; ++i)
       {
-        const bool isOther = part.Label != *this->Samples.At(first);
-        words[static_cast<std::size_t>(leaf.x + LeavesInRow * (leaf.y + LeavesInRow * leaf.z))] |=
-          part.Bits | (isOther ? Several : 0);
+        bits |= this->BitOf(begin[i * stride]);
+      }
+      this->AddTo(x, j, k, bits, leaves);
+    }
+  }
+
+  /// Add bits to the leaves at place x of a row that have the samples (j, k).
+  static void AddTo(int x, int j, int k, std::uint64_t bits, std::uint64_t* leaves)
+  {
+    for (int z = FirstLeafOf(k); z <= LastLeafOf(k); ++z)
+    {
+      for (int y = FirstLeafOf(j); y <= LastLeafOf(j); ++y)
+      {
+        leaves[x + LeavesInRow * (y + LeavesInRow * z)] |= bits;
       }
     }
   }
 
   TypedField<T> Samples;
-  FoundLabels<T>& Found;
-  glm::ivec3 First{ 0 };
+  std::vector<std::int64_t> Seen;                    ///< labels of the node
+  glm::ivec3 First{ 0 }, Count{ 0 };                 ///< samples of the node
+  const std::vector<std::int64_t>* Labels = nullptr; ///< of the node
+  T LastLabel{};
+  std::uint64_t LastBit = 0; ///< of LastLabel; 0: there is none yet
 };
-
-}
 
 /// Scan some nodes, in parallel.
 void LabelSets::Scan(const Field& field, const std::vector<std::int64_t>& nodes)
@@ -166,18 +181,14 @@ void LabelSets::Scan(const Field& field, const std::vector<std::int64_t>& nodes)
         {
           try
           {
-            FoundLabels<T> found;
-            NodeScan<T> scan{ TypedField<T>(field), found };
-            typename NodeScan<T>::Words words;
+            NodeScan<T> scan{ TypedField<T>(field) };
             for (std::int64_t i = begin; i < end; ++i)
             {
               const std::int64_t node = nodes[static_cast<std::size_t>(i)];
               const glm::ivec3 place(
                 node % along.x, node / along.x % along.y, node / along.x / along.y);
-              scan.Scan(NodeSize * place, words);
-              std::copy(words.begin(), words.end(),
-                this->Leaves.begin() + node * CellBlocks::LeavesPerNode);
-              found.TakeTo(this->OfNodes[static_cast<std::size_t>(node)]);
+              scan.Scan(NodeSize * place, this->OfNodes[static_cast<std::size_t>(node)],
+                &this->Leaves[static_cast<std::size_t>(node) * CellBlocks::LeavesPerNode]);
             }
           }
           catch (const std::bad_alloc&)
@@ -220,8 +231,9 @@ std::shared_ptr<const LabelSets> LabelSets::Make(
   return sets;
 }
 
-std::shared_ptr<const LabelSets> LabelSets::Updated(
-  const Field& field, const std::vector<CellBox>& changed, std::vector<std::uint64_t> hashes) const
+std::shared_ptr<const LabelSets> LabelSets::Updated(const Field& field,
+  const std::vector<CellBox>& changed, std::vector<std::uint64_t> hashes,
+  std::vector<SampleChange> told) const
 {
   const glm::ivec3 along = CellBlocks::NodesFor(field.Dimensions);
   std::vector<std::int64_t> nodes;
@@ -244,19 +256,10 @@ std::shared_ptr<const LabelSets> LabelSets::Updated(
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   const auto sets = std::make_shared<LabelSets>(*this);
   sets->HashesOfNodes = std::move(hashes);
+  sets->Told = std::move(told);
   sets->Scan(field, nodes);
   sets->FindAll();
   return sets;
-}
-
-std::uint64_t LabelSets::BitsOf(const std::vector<double>& labels)
-{
-  std::uint64_t bits = 0;
-  for (const double label : labels)
-  {
-    bits |= BitOf(static_cast<std::int64_t>(label));
-  }
-  return bits;
 }
 
 }

@@ -5,6 +5,7 @@
 
 #include "Scene/CellBlocks.h"
 #include "Scene/CellBox.h"
+#include "Scene/SampleChanges.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,13 +20,14 @@ struct Field;
 /// Which labels a field has, and where: a set of labels for each leaf of cells. A label is a whole
 /// number that names a part of the data. Sets are built once, never changed, and shared.
 ///
-/// A set is a word. Each label has one of 63 bits, which several labels may share. The last bit
+/// A set is a word. Its bits stand for the labels of the node around the leaf, in their order: each
+/// label has one of 63 bits, which several share only if the node has more labels. The last bit
 /// says that the leaf has more than one label.
 class LabelSets
 {
 public:
   /// Read all samples once, in parallel.
-  /// \param hashes of the samples, if they are known (Hashes)
+  /// \param hashes  of the samples, if they are known (Hashes)
   /// \pre field.HasCells(), and samples are whole numbers
   /// \throws std::bad_alloc
   static std::shared_ptr<const LabelSets> Make(
@@ -34,9 +36,10 @@ public:
   /// The sets of a field whose samples have changed in some cells since these were made. Reads no
   /// other samples.
   /// \param hashes as above
+  /// \param told   changes in place until now, if any are known
   /// \throws std::bad_alloc
   std::shared_ptr<const LabelSets> Updated(const Field& field, const std::vector<CellBox>& changed,
-    std::vector<std::uint64_t> hashes = {}) const;
+    std::vector<std::uint64_t> hashes = {}, std::vector<SampleChange> told = {}) const;
 
   /// All labels of the field, ascending.
   const std::vector<std::int64_t>& Labels() const { return this->All; }
@@ -51,37 +54,53 @@ public:
   /// to find changes. Empty if they are not known.
   const std::vector<std::uint64_t>& Hashes() const { return this->HashesOfNodes; }
 
-  /// The bit of a label.
-  static std::uint64_t BitOf(std::int64_t label)
+  /// Changes of samples that are known without hashes.
+  const std::vector<SampleChange>& Changes() const { return this->Told; }
+
+  /// The bits of some labels in the sets of a node.
+  /// \param areAmong tells for a label whether it is one of them
+  template <typename AreAmong>
+  std::uint64_t BitsOf(std::int64_t node, const AreAmong& areAmong) const
   {
-    return std::uint64_t(1) << (static_cast<std::uint64_t>(label) % 63);
+    const std::vector<std::int64_t>& labels = this->LabelsOf(node);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+    {
+      bits |= static_cast<std::uint64_t>(areAmong(labels[i])) << BitAt(i);
+    }
+    return bits;
   }
 
-  /// The bits of some labels.
-  static std::uint64_t BitsOf(const std::vector<double>& labels);
-
-  /// True if a leaf of a node may have labels with these bits.
-  bool Has(std::uint64_t bits, std::int64_t node, int leaf) const
-  {
-    return (this->Leaves[static_cast<std::size_t>(node * CellBlocks::LeavesPerNode + leaf)] &
-             bits) != 0;
-  }
-
-  /// One bit for each leaf of a node with several labels, some of which are among the bits.
+  /// One bit for each leaf of a node that has labels with some of the bits.
   std::uint64_t LeavesWith(std::uint64_t bits, std::int64_t node) const
   {
-    const std::uint64_t* const leaves =
-      &this->Leaves[static_cast<std::size_t>(node) * CellBlocks::LeavesPerNode];
+    const std::uint64_t* const leaves = this->LeavesOf(node);
     std::uint64_t found = 0;
     for (int i = 0; i < CellBlocks::LeavesPerNode; ++i)
     {
-      const bool isMixed = leaves[i] >> 63 != 0 && (leaves[i] & bits) != 0;
-      found |= static_cast<std::uint64_t>(isMixed) << i;
+      found |= static_cast<std::uint64_t>((leaves[i] & bits) != 0) << i;
     }
     return found;
   }
 
+  /// One bit for each leaf of a node that has several labels.
+  std::uint64_t MixedLeaves(std::int64_t node) const { return this->LeavesWith(Several, node); }
+
 private:
+  static constexpr int LabelBits = 63;
+  static constexpr std::uint64_t Several = std::uint64_t(1) << LabelBits;
+
+  template <typename T>
+  class NodeScan;
+
+  /// The bit of the label at a position in the list of its node.
+  static std::size_t BitAt(std::size_t position) { return position % LabelBits; }
+
+  const std::uint64_t* LeavesOf(std::int64_t node) const
+  {
+    return &this->Leaves[static_cast<std::size_t>(node) * CellBlocks::LeavesPerNode];
+  }
+
   void Scan(const Field& field, const std::vector<std::int64_t>& nodes);
   void FindAll();
 
@@ -89,6 +108,7 @@ private:
   std::vector<std::uint64_t> Leaves;              ///< node by node
   std::vector<std::vector<std::int64_t>> OfNodes; ///< labels of each node, ascending
   std::vector<std::uint64_t> HashesOfNodes;
+  std::vector<SampleChange> Told;
 };
 
 }

@@ -11,6 +11,7 @@
 #include "Scene/ArrayColors.h"
 #include "Scene/Field.h"
 #include "Scene/Progress.h"
+#include "Scene/SampleChanges.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkObjectBase.h>
@@ -78,6 +79,8 @@ struct PlacedField
 
   FieldSetUp SetUp;
   std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: the original cells of its cells
+
+  std::vector<SampleChange> Told; ///< changes of the samples in place (ToldChanges)
 
   /// Keeps the arrays alive if an observer changes the mapper's input meanwhile.
   std::vector<vtkSmartPointer<vtkObjectBase>> Read;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace TemporalCoherence
@@ -52,7 +53,8 @@ bool CheckTable(vtkScalarsToColors* table, std::int64_t label, std::string& erro
 
 }
 
-bool LabelsFromVolume::Make(Field& samples, double radius, std::string& error)
+bool LabelsFromVolume::Make(
+  Field& samples, double radius, const std::vector<SampleChange>& told, std::string& error)
 {
   const bool isLattice = !samples.Shape->Abilities().IsMesh;
   if (!isLattice || !AreSame(samples.Shape, UniformShape()))
@@ -70,7 +72,7 @@ bool LabelsFromVolume::Make(Field& samples, double radius, std::string& error)
   }
   if (!(this->Known == samples) || !this->Known.Labels)
   {
-    this->See(samples);
+    this->See(samples, told);
   }
   if (!this->Smooth || this->Smooth->Radius() != radius)
   {
@@ -86,18 +88,21 @@ bool LabelsFromVolume::Make(Field& samples, double radius, std::string& error)
 }
 
 /// Find the labels of new samples. What was known of samples that have not changed stays.
-void LabelsFromVolume::See(const Field& samples)
+void LabelsFromVolume::See(const Field& samples, const std::vector<SampleChange>& told)
 {
   const Field& last = this->Print.Samples;
   const bool areKept = this->Known.Labels && last.Samples == samples.Samples &&
     last.Strides == samples.Strides && AreAlike(last, samples);
   const Field known = std::exchange(this->Known, Field()); // the next steps may fail
-  FieldFingerprint now = FingerprintOf(samples);
+  const std::optional<std::vector<SampleBox>> within =
+    areKept ? ChangesBetween(told, last.Stamp, samples.Stamp) : std::nullopt;
+  FieldFingerprint now =
+    within ? FingerprintOf(samples, this->Print, *within) : FingerprintOf(samples);
   std::shared_ptr<const LabelSets> labels;
   if (areKept)
   {
-    const std::vector<CellBox> changed = ChangedCells(this->Print, now);
-    labels = known.Labels->Updated(samples, changed, now.Nodes);
+    const std::vector<CellBox> changed = ChangedCells(this->Print, now, within);
+    labels = known.Labels->Updated(samples, changed, now.Nodes, told);
     for (std::size_t i = 0; this->Smooth && i < changed.size(); ++i)
     {
       this->Smooth->Forget(changed[i]);

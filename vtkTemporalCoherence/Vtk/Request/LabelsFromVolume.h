@@ -37,10 +37,12 @@ class LabelsFromVolume
 public:
   /// Let the samples of a field be labels.
   /// \param radius as in the settings
+  /// \param told   changes of the samples in place (ToldChanges)
   /// \param error  receives the mistake and its remedy
   /// \return false on error, for example if samples are no whole numbers
   /// \throws std::bad_alloc
-  bool Make(Field& samples, double radius, std::string& error);
+  bool Make(
+    Field& samples, double radius, const std::vector<SampleChange>& told, std::string& error);
 
   /// Find the labels with an opacity above 0, with their opacities.
   /// \param component of the property, for opacities
@@ -55,7 +57,7 @@ public:
   void Release() { *this = LabelsFromVolume(); }
 
 private:
-  void See(const Field& samples);
+  void See(const Field& samples, const std::vector<SampleChange>& told);
 
   Field Known;                                ///< whose labels are known
   std::shared_ptr<const SmoothLabels> Smooth; ///< of labels, or null

@@ -222,7 +222,7 @@ bool RequestFromMapper::MakeLabels(const PictureSettings& settings, vtkVolume* v
   surfaces.ByGradient = {}; // labels have no gradient
   try
   {
-    return this->Labels.Make(key.Samples, settings.Labels.Radius, error) &&
+    return this->Labels.Make(key.Samples, settings.Labels.Radius, request.Told, error) &&
       this->Labels.Find(
         settings.Labels, property, component, surfaces, request.IsovaluePlaces, error) &&
       (!renderer ||
@@ -295,6 +295,7 @@ bool RequestFromMapper::MakeScene(
   key.Transform = field.Transform;
   request.SetUp = field.SetUp;
   request.Cells = field.Cells;
+  request.Told = field.Told;
   request.Read = field.Read;
   return true;
 }

@@ -70,6 +70,8 @@ struct FrameRequest
   FieldSetUp SetUp;
   std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: the original cells of its cells
 
+  std::vector<SampleChange> Told; ///< changes of the samples in place (ToldChanges)
+
   /// Keeps the arrays alive if an observer changes the mapper's input meanwhile.
   std::vector<vtkSmartPointer<vtkObjectBase>> Read;
 };

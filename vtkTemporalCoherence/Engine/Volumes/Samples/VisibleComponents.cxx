@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 namespace TemporalCoherence
@@ -19,37 +18,38 @@ namespace
 
 using Bands = std::vector<ValueBand>;
 
-/// The bits of labels with the volume's look.
-std::uint64_t BitsOfOthers(const LabelMap& map)
+/// The labels with the volume's look.
+std::vector<double> WithoutLook(const LabelMap& map)
 {
-  std::uint64_t bits = 0;
+  std::vector<double> labels;
   for (const std::int64_t label : map.Samples.Labels->Labels())
   {
     const auto own = std::lower_bound(map.Looks.begin(), map.Looks.end(), label,
       [](const LabelledLook& look, std::int64_t value) { return look.Label < value; });
     if (own == map.Looks.end() || own->Label != label)
     {
-      bits |= LabelSets::BitOf(label);
+      labels.push_back(static_cast<double>(label));
     }
   }
-  return bits;
+  return labels;
 }
 
 /// Add ranges that count for some labels, together with others that are equal.
-void Add(const Bands& bands, std::uint64_t labelBits, std::vector<SeenBands>& all)
+void Add(const Bands& bands, const std::vector<double>& labels, std::vector<SeenBands>& all)
 {
   const auto same = std::find_if(
     all.begin() + 1, all.end(), [&](const SeenBands& other) { return other.Bands == bands; });
   if (same != all.end())
   {
-    same->LabelBits |= labelBits;
+    same->CountFor.insert(same->CountFor.end(), labels.begin(), labels.end());
+    std::sort(same->CountFor.begin(), same->CountFor.end());
   }
   else if (!bands.empty())
   {
     SeenBands& seen = all.emplace_back();
     seen.Bands = bands;
     seen.HasLabels = true;
-    seen.LabelBits = labelBits;
+    seen.CountFor = labels;
   }
 }
 
@@ -57,10 +57,10 @@ std::vector<SeenBands> VisibleLabels(const Blending& volume)
 {
   const LabelMap& map = *volume.Labels;
   std::vector<SeenBands> all(1); // nothing counts for all labels
-  Add(OpaqueBands(volume.Looks.front().Transfer), BitsOfOthers(map), all);
+  Add(OpaqueBands(volume.Looks.front().Transfer), WithoutLook(map), all);
   for (const LabelledLook& own : map.Looks)
   {
-    Add(OpaqueBands(own.Look.Transfer), LabelSets::BitOf(own.Label), all);
+    Add(OpaqueBands(own.Look.Transfer), { static_cast<double>(own.Label) }, all);
   }
   return all;
 }

@@ -7,7 +7,6 @@
 #include "Scene/Surfaces.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -19,8 +18,8 @@ struct SeenBands
 {
   std::size_t Component = 0;
   std::vector<ValueBand> Bands;
-  bool HasLabels = false;      ///< Bands count for LabelBits only
-  std::uint64_t LabelBits = 0; ///< LabelSets::BitsOf labels
+  bool HasLabels = false;       ///< Bands count for some labels only
+  std::vector<double> CountFor; ///< these, ascending
 };
 
 /// The visible values of each component, as by VisibleBands. The first entry is that of component 0

@@ -102,7 +102,9 @@ TraceCounts TileTracer::TraceSome(std::int64_t tile, const PixelRect& part, std:
   TileHits found;
   RayBatch& rays = found.Rays;
   this->Rays.SetUp(part.First, part.Size, all);
-  all.MayBeCapped = !before && this->MayBeCapped(tile);
+  // Where rays have several pieces, each may begin in a solid.
+  const bool startsThere = before && !this->Rays.Clipper.HasPieces();
+  all.MayBeCapped = !startsThere && this->MayBeCapped(tile);
   if (this->Scene.Active)
   {
     this->Scene.Bounds->Narrow(tile, all);
@@ -111,7 +113,7 @@ TraceCounts TileTracer::TraceSome(std::int64_t tile, const PixelRect& part, std:
   {
     if (which >> i & 1u)
     {
-      if (before)
+      if (startsThere)
       {
         const double met = before->Depth[static_cast<std::size_t>(all.Pixel[i])];
         all.WalkBegin[i] = std::max(all.WalkBegin[i], met);

@@ -43,43 +43,27 @@ public:
   }
 
   /// \param firstCell of the node
-  /// \param labels    receives its labels, ascending
-  /// \param leaves    receives the sets of its leaves
-  void Scan(const glm::ivec3& firstCell, std::vector<std::int64_t>& labels, std::uint64_t* leaves)
+  std::shared_ptr<const NodeLabels> Scan(const glm::ivec3& firstCell)
   {
     this->First = firstCell;
     this->Count = glm::min(this->Samples.Dimensions - firstCell, glm::ivec3(NodeSize + 1));
-    this->FindLabels(labels);
-    std::fill_n(leaves, CellBlocks::LeavesPerNode, 0);
-    if (labels.size() == 1)
+    this->FindLabels();
+    if (this->Found.size() > 1)
     {
-      for (int leaf = 0; leaf < CellBlocks::LeavesPerNode; ++leaf)
-      {
-        leaves[leaf] = this->HasCells(leaf) ? std::uint64_t(1) << BitAt(0) : 0;
-      }
-      return;
+      return std::make_shared<const NodeLabels>(NodeLabels{ this->Found, this->FindLeaves() });
     }
-    this->Labels = &labels;
-    this->LastBit = 0;
-    for (int k = 0; k < this->Count.z; ++k)
+    if (!this->LastOfOne || this->LastOfOne->Labels != this->Found)
     {
-      for (int j = 0; j < this->Count.y; ++j)
-      {
-        this->AddRow(j, k, leaves);
-      }
+      this->LastOfOne = std::make_shared<const NodeLabels>(NodeLabels{ this->Found, {} });
     }
-    for (int leaf = 0; leaf < CellBlocks::LeavesPerNode; ++leaf)
-    {
-      const bool mayShare = labels.size() > LabelBits; // then a bit does not tell
-      const bool hasSeveral = mayShare || (leaves[leaf] & (leaves[leaf] - 1)) != 0;
-      leaves[leaf] = this->HasCells(leaf) ? leaves[leaf] | (hasSeveral ? Several : 0) : 0;
-    }
+    return this->LastOfOne;
   }
 
 private:
-  void FindLabels(std::vector<std::int64_t>& labels)
+  void FindLabels()
   {
-    this->Seen.clear();
+    std::vector<std::int64_t>& found = this->Found;
+    found.clear();
     const std::int64_t stride = this->Samples.Strides.x;
     for (int k = 0; k < this->Count.z; ++k)
     {
@@ -95,16 +79,37 @@ private:
         {
           // Labels mostly come many times in a row.
           const auto label = static_cast<std::int64_t>(row[i * stride]);
-          if (this->Seen.empty() || this->Seen.back() != label)
+          if (found.empty() || found.back() != label)
           {
-            this->Seen.push_back(label);
+            found.push_back(label);
           }
         }
       }
     }
-    std::sort(this->Seen.begin(), this->Seen.end());
-    this->Seen.erase(std::unique(this->Seen.begin(), this->Seen.end()), this->Seen.end());
-    labels.assign(this->Seen.begin(), this->Seen.end());
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+
+  /// The sets of all leaves.
+  std::vector<std::uint64_t> FindLeaves()
+  {
+    std::vector<std::uint64_t> leaves(CellBlocks::LeavesPerNode);
+    this->LastBit = 0;
+    for (int k = 0; k < this->Count.z; ++k)
+    {
+      for (int j = 0; j < this->Count.y; ++j)
+      {
+        this->AddRow(j, k, leaves);
+      }
+    }
+    for (int leaf = 0; leaf < CellBlocks::LeavesPerNode; ++leaf)
+    {
+      std::uint64_t& set = leaves[static_cast<std::size_t>(leaf)];
+      const bool mayShare = this->Found.size() > LabelBits; // then a bit does not tell
+      const bool hasSeveral = mayShare || (set & (set - 1)) != 0;
+      set = this->HasCells(leaf) ? set | (hasSeveral ? Several : 0) : 0;
+    }
+    return leaves;
   }
 
   /// True if a leaf of the node lies within the field.
@@ -119,17 +124,17 @@ private:
   {
     if (label != this->LastLabel || this->LastBit == 0)
     {
-      const auto place = std::lower_bound(
-        this->Labels->begin(), this->Labels->end(), static_cast<std::int64_t>(label));
+      const auto place =
+        std::lower_bound(this->Found.begin(), this->Found.end(), static_cast<std::int64_t>(label));
       this->LastLabel = label;
       this->LastBit = std::uint64_t(1)
-        << BitAt(static_cast<std::size_t>(place - this->Labels->begin()));
+        << BitAt(static_cast<std::size_t>(place - this->Found.begin()));
     }
     return this->LastBit;
   }
 
   /// Add a row of samples to the sets of its leaves.
-  void AddRow(int j, int k, std::uint64_t* leaves)
+  void AddRow(int j, int k, std::vector<std::uint64_t>& leaves)
   {
     const T* const row = this->Samples.At(this->First + glm::ivec3(0, j, k));
     const std::int64_t stride = this->Samples.Strides.x;
@@ -147,21 +152,21 @@ private:
   }
 
   /// Add bits to the leaves at place x of a row that have the samples (j, k).
-  static void AddTo(int x, int j, int k, std::uint64_t bits, std::uint64_t* leaves)
+  static void AddTo(int x, int j, int k, std::uint64_t bits, std::vector<std::uint64_t>& leaves)
   {
     for (int z = FirstLeafOf(k); z <= LastLeafOf(k); ++z)
     {
       for (int y = FirstLeafOf(j); y <= LastLeafOf(j); ++y)
       {
-        leaves[x + LeavesInRow * (y + LeavesInRow * z)] |= bits;
+        leaves[static_cast<std::size_t>(x + LeavesInRow * (y + LeavesInRow * z))] |= bits;
       }
     }
   }
 
   TypedField<T> Samples;
-  std::vector<std::int64_t> Seen;                    ///< labels of the node
-  glm::ivec3 First{ 0 }, Count{ 0 };                 ///< samples of the node
-  const std::vector<std::int64_t>* Labels = nullptr; ///< of the node
+  std::vector<std::int64_t> Found; ///< labels of the node, ascending
+  std::shared_ptr<const NodeLabels> LastOfOne;
+  glm::ivec3 First{ 0 }, Count{ 0 }; ///< samples of the node
   T LastLabel{};
   std::uint64_t LastBit = 0; ///< of LastLabel; 0: there is none yet
 };
@@ -187,8 +192,7 @@ void LabelSets::Scan(const Field& field, const std::vector<std::int64_t>& nodes)
               const std::int64_t node = nodes[static_cast<std::size_t>(i)];
               const glm::ivec3 place(
                 node % along.x, node / along.x % along.y, node / along.x / along.y);
-              scan.Scan(NodeSize * place, this->OfNodes[static_cast<std::size_t>(node)],
-                &this->Leaves[static_cast<std::size_t>(node) * CellBlocks::LeavesPerNode]);
+              this->OfNodes[static_cast<std::size_t>(node)] = scan.Scan(NodeSize * place);
             }
           }
           catch (const std::bad_alloc&)
@@ -207,9 +211,14 @@ void LabelSets::Scan(const Field& field, const std::vector<std::int64_t>& nodes)
 void LabelSets::FindAll()
 {
   std::unordered_set<std::int64_t> all;
-  for (const std::vector<std::int64_t>& labels : this->OfNodes)
+  const NodeLabels* last = nullptr;
+  for (const std::shared_ptr<const NodeLabels>& node : this->OfNodes)
   {
-    all.insert(labels.begin(), labels.end());
+    if (node.get() != last)
+    {
+      all.insert(node->Labels.begin(), node->Labels.end());
+      last = node.get();
+    }
   }
   this->All.assign(all.begin(), all.end());
   std::sort(this->All.begin(), this->All.end());
@@ -223,7 +232,6 @@ std::shared_ptr<const LabelSets> LabelSets::Make(
   std::vector<std::int64_t> nodes(static_cast<std::size_t>(along.x) *
     static_cast<std::size_t>(along.y) * static_cast<std::size_t>(along.z));
   std::iota(nodes.begin(), nodes.end(), std::int64_t(0));
-  sets->Leaves.resize(nodes.size() * CellBlocks::LeavesPerNode);
   sets->OfNodes.resize(nodes.size());
   sets->HashesOfNodes = std::move(hashes);
   sets->Scan(field, nodes);

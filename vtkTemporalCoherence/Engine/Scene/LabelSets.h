@@ -22,7 +22,7 @@ struct Field;
 ///
 /// A set is a word. Its bits stand for the labels of the node around the leaf, in their order: each
 /// label has one of 63 bits, which several share only if the node has more labels. The last bit
-/// says that the leaf has more than one label.
+/// says that the leaf has more than one label. Nodes with one label have no sets.
 class LabelSets
 {
 public:
@@ -47,7 +47,7 @@ public:
   /// All labels of a node, ascending.
   const std::vector<std::int64_t>& LabelsOf(std::int64_t node) const
   {
-    return this->OfNodes[static_cast<std::size_t>(node)];
+    return this->OfNodes[static_cast<std::size_t>(node)]->Labels;
   }
 
   /// Hashes of the samples, node by node (FieldFingerprint), so that nobody need read samples again
@@ -74,9 +74,14 @@ public:
   /// One bit for each leaf of a node that has labels with some of the bits.
   std::uint64_t LeavesWith(std::uint64_t bits, std::int64_t node) const
   {
-    const std::uint64_t* const leaves = this->LeavesOf(node);
+    const std::vector<std::uint64_t>& leaves =
+      this->OfNodes[static_cast<std::size_t>(node)]->Leaves;
+    if (leaves.empty())
+    {
+      return (bits & 1u) != 0 ? ~std::uint64_t(0) : 0;
+    }
     std::uint64_t found = 0;
-    for (int i = 0; i < CellBlocks::LeavesPerNode; ++i)
+    for (std::size_t i = 0; i < leaves.size(); ++i)
     {
       found |= static_cast<std::uint64_t>((leaves[i] & bits) != 0) << i;
     }
@@ -90,23 +95,23 @@ private:
   static constexpr int LabelBits = 63;
   static constexpr std::uint64_t Several = std::uint64_t(1) << LabelBits;
 
+  struct NodeLabels
+  {
+    std::vector<std::int64_t> Labels;  ///< ascending
+    std::vector<std::uint64_t> Leaves; ///< their sets; empty if there is one label
+  };
+
   template <typename T>
   class NodeScan;
 
   /// The bit of the label at a position in the list of its node.
   static std::size_t BitAt(std::size_t position) { return position % LabelBits; }
 
-  const std::uint64_t* LeavesOf(std::int64_t node) const
-  {
-    return &this->Leaves[static_cast<std::size_t>(node) * CellBlocks::LeavesPerNode];
-  }
-
   void Scan(const Field& field, const std::vector<std::int64_t>& nodes);
   void FindAll();
 
   std::vector<std::int64_t> All;
-  std::vector<std::uint64_t> Leaves;              ///< node by node
-  std::vector<std::vector<std::int64_t>> OfNodes; ///< labels of each node, ascending
+  std::vector<std::shared_ptr<const NodeLabels>> OfNodes; ///< which nodes of one label share
   std::vector<std::uint64_t> HashesOfNodes;
   std::vector<SampleChange> Told;
 };

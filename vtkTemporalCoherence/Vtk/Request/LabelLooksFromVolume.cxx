@@ -30,7 +30,7 @@ bool LabelLooksFromVolume::Make(vtkVolumeProperty* property, int component, doub
   LabelMap map = *std::exchange(blending.Labels, nullptr);
   try
   {
-    if (!this->Labels.Make(map.Samples, 0.0, error) ||
+    if (!this->Labels.Make(map.Samples, 0.0, {}, error) ||
       !this->MakeLooks(property, component, blendFactor, samples, blending, map, error))
     {
       return false;

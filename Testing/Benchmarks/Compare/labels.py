@@ -9,8 +9,8 @@ VOLUME is a .vti of whole numbers, or LABELSxEDGE: so many balls at random in ED
 such as 117x256. 1024 x 1024 pixels; the whole volume is seen. Prints medians of N times (default 5), in
 ms of the wall clock: an isosurface around all labels and all labels, each cold in views turned by 10 degrees;
 every second label, and all again, in a view that stays; one label hidden; strokes of 20^3 samples, whose
-place is told by ModifiedWithin or not; and triangles of every second label with their first picture, by
-vtkSurfaceNets3D (since VTK 9.3) and vtkDiscreteFlyingEdges3D.
+place is told by ModifiedWithin or not; and triangles of every second label with their first picture in a
+window that is there, by vtkSurfaceNets3D (since VTK 9.3) and vtkDiscreteFlyingEdges3D.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume)
@@ -155,7 +156,25 @@ def isosurface(labels: Labels, rounds: int) -> float:
     return time
 
 
-def triangles(filter, image: vtkImageData, labels) -> float:
+def ready_window() -> vtkRenderWindow:
+    """A window that has drawn triangles. A server without -noreset ends when its last window is closed."""
+    sphere = vtkSphereSource()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(sphere.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetSize(SIZE, SIZE)
+    window.AddRenderer(renderer)
+    window.Render()
+    window.RemoveRenderer(renderer)
+    return window
+
+
+def triangles(window: vtkRenderWindow, filter, image: vtkImageData, labels) -> float:
     """Of a set of labels, and their first picture."""
     filter.SetInputData(image)
     for place, label in enumerate(labels):
@@ -166,16 +185,15 @@ def triangles(filter, image: vtkImageData, labels) -> float:
     actor.SetMapper(mapper)
     renderer = vtkRenderer()
     renderer.AddActor(actor)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetSize(SIZE, SIZE)
     window.AddRenderer(renderer)
 
     def draw():
         filter.Update()
         renderer.ResetCamera(image.GetBounds())
         window.Render()
-    return ms(draw)
+    taken = ms(draw)
+    window.RemoveRenderer(renderer)
+    return taken
 
 
 def main() -> None:
@@ -185,6 +203,7 @@ def main() -> None:
     parser.add_argument("--no-triangles", action="store_true")
     parser.add_argument("volumes", nargs="+")
     asked = parser.parse_args()
+    window = None if asked.no_triangles else ready_window()
     print("| volume | labels | first | isosurface | all labels | half of them | all again | one less | stroke | told | SurfaceNets | FlyingEdges |")
     print("|---" * 12 + "|")
     for name in asked.volumes:
@@ -198,7 +217,7 @@ def main() -> None:
         peers = []
         for module, kind in ((core, "vtkSurfaceNets3D"), (general, "vtkDiscreteFlyingEdges3D")):
             made = getattr(module, kind, None)
-            peers.append("-" if asked.no_triangles or not made else f"{triangles(made(), labels.image, half):.0f}")
+            peers.append("-" if not window or not made else f"{triangles(window, made(), labels.image, half):.0f}")
         stroke, told = (labels.strokes(asked.rounds, are_told) for are_told in (False, True))
         size = " x ".join(str(edge) for edge in labels.image.GetDimensions())
         print(f"| {name.split('/')[-1]}, {size} | {len(labels.labels)} | {first:.0f} | {around:.0f} | {turned:.0f} | "

@@ -134,6 +134,7 @@ set(engine_files
   Render/FrameStructures
   Render/IsomapRoute
   Render/KeepLabelsRoute
+  Render/KeptLabels
   Render/GridKey
   Render/LayerLimit
   Render/LineTracer

@@ -103,15 +103,6 @@ void FrameStructures::PrepareBounds(const FrameKey& key, const ActiveCells& cell
   }
 }
 
-TileBounds FrameStructures::BoundsOf(const FrameKey& key, const Surfaces& labels) const
-{
-  ActiveCells active;
-  active.Build(this->OfData->Samples, this->Pyramid(), labels, this->OfSurfaces->Active.get());
-  TileBounds bounds;
-  bounds.Build(key.View, key.Transform, active, *key.Samples.Shape);
-  return bounds;
-}
-
 std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key) const
 {
   std::shared_ptr<const FieldRanges> ranges = this->OfData;

@@ -48,11 +48,6 @@ public:
   /// \return false if every cell may be visible; nothing is prepared then
   bool PrepareVisibleCells(const FrameKey& key);
 
-  /// Between which distances tiles may see some of a key's labels.
-  /// \pre PrepareActiveCells was called for the key
-  /// \throws std::bad_alloc
-  TileBounds BoundsOf(const FrameKey& key, const Surfaces& labels) const;
-
   const FieldRanges& Ranges() const { return *this->OfData; }
   const ValueRangePyramid& Pyramid() const { return *this->OfData->Pyramid; }
 

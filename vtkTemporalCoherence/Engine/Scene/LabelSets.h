@@ -71,7 +71,7 @@ public:
     return bits;
   }
 
-  /// One bit for each leaf of a node that has labels with some of the bits.
+  /// The leaves of a node whose sets share bits with these, one bit each.
   std::uint64_t LeavesWith(std::uint64_t bits, std::int64_t node) const
   {
     const std::vector<std::uint64_t>& leaves =

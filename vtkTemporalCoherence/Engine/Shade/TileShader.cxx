@@ -3,6 +3,7 @@
 #include "Shade/TileShader.h"
 
 #include "Scene/Timers.h"
+#include "Shade/HitValues.h"
 
 #include <algorithm>
 #include <array>
@@ -67,6 +68,7 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found
     GatherHits(this->Key.View, part, this->ColorsOf == HitSet::All, frame, hits);
     LoadNormals(frame, hits);
   }
+  FindHitValues(this->Key, hits);
   ArrivingLight arriving;
   if (this->Light && hits.Rays.Count > 0)
   {
@@ -88,6 +90,7 @@ void TileShader::ShadeAt(
   HitList hits;
   TakeHitsAt(this->Key.View, at, found, hits);
   ComputeNormals(this->Source, hits);
+  FindHitValues(this->Key, hits);
   ArrivingLight arriving;
   if (this->Light && hits.Rays.Count > 0)
   {

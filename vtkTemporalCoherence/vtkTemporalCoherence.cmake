@@ -52,6 +52,7 @@ set(engine_files
   Shade/HitGathering
   Shade/HitOpacities
   Shade/HitValues
+  Shade/KeptHitValues
   Shade/KernelsCells
   Shade/KernelsGradients
   Shade/KernelsRectilinear

@@ -17,6 +17,7 @@ TileShader::TileShader(const ShadeScene& scene, HitSet normalsOf, HitSet colorsO
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)
   , Light(scene.Light)
+  , Values(scene.Values)
 {
   if (scene.Tracer)
   {
@@ -68,7 +69,14 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found
     GatherHits(this->Key.View, part, this->ColorsOf == HitSet::All, frame, hits);
     LoadNormals(frame, hits);
   }
-  FindHitValues(this->Key, hits);
+  if (this->Values)
+  {
+    this->Values->Find(this->Key, tile, hits);
+  }
+  else
+  {
+    FindHitValues(this->Key, hits);
+  }
   ArrivingLight arriving;
   if (this->Light && hits.Rays.Count > 0)
   {

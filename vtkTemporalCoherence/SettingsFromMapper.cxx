@@ -33,9 +33,9 @@ PictureSettings SettingsOf(Mapper* mapper)
   settings.Vectors = VectorsOf(mapper);
   settings.Labels = { mapper->GetSurfaceMode() == Mapper::LABELS, mapper->GetOutsideLabel(),
     mapper->GetLabelTable(), mapper->GetLabelRadius() };
-  settings.Colors = { { mapper->GetColorArrayName(), mapper->GetColorArrayOnCells() != 0,
-                        mapper->GetColorArrayComponent() },
-    mapper->GetColorTable() };
+  settings.ByArray = { { mapper->GetColorArrayName(), mapper->GetColorArrayOnCells() != 0,
+                         mapper->GetColorArrayComponent() },
+    mapper->GetColorTable(), mapper->GetColorArrayOpacity() != 0 };
   settings.Mode =
     mapper->GetSurfaceMode() == Mapper::THRESHOLD ? SurfaceMode::Threshold : SurfaceMode::Crossing;
   settings.ColorByAnswer = mapper->GetColorByAnswer() != 0;

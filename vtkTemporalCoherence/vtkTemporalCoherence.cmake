@@ -12,6 +12,7 @@ set(engine_files
   Scene/LabelSets
   Scene/RayBatch
   Scene/Region
+  Scene/ValueTable
   Scene/View
   Acceleration/ActiveCells
   Acceleration/FieldFingerprint
@@ -49,6 +50,9 @@ set(engine_files
   Shade/FieldNormals
   Shade/HitColors
   Shade/HitGathering
+  Shade/HitOpacities
+  Shade/HitValues
+  Shade/KeptHitValues
   Shade/KernelsCells
   Shade/KernelsGradients
   Shade/KernelsRectilinear
@@ -249,7 +253,7 @@ set(bridge_files
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
-  Request/ArrayColorsFromVolume
+  Request/ArrayLooksFromVolume
   Request/BlendingFromVolume
   Request/DrawnVolume
   Request/EmptyInput

@@ -103,8 +103,8 @@ public:
 
   //@{
   /**
-   * Set/Get which array gives surfaces their colours, of isosurfaces and labels alike. Opacities
-   * still belong to isovalues and labels. A new array, table or range traces no rays.
+   * Set/Get which array gives surfaces their colours, of isosurfaces and labels alike. A new array,
+   * table or range traces no rays, unless it makes surfaces visible for the first time.
    *
    * - ColorArrayName: an array of numbers on the points of the input or, with ColorArrayOnCells
    *   (default: off), on its cells. Null or "" (default): none, colours are those of isovalues. A
@@ -113,8 +113,11 @@ public:
    *   of cells.
    * - ColorArrayComponent: of arrays with several components. Default: 0; -1: the length of the
    *   interpolated vector. A component that the array lacks is an error.
-   * - ColorTable: a vtkLookupTable or another vtkScalarsToColors; its alpha has no effect. Null
-   *   (default): the colour function of the volume's property.
+   * - ColorArrayOpacity: if on (default: off), the array gives opacities, too: that of a surface's
+   *   isovalue or label is multiplied by the table's at the value. On without an array is an error.
+   * - ColorTable: a vtkLookupTable or another vtkScalarsToColors, whose GetOpacity() counts with
+   *   ColorArrayOpacity only. Null (default): the functions of the volume's property, for colour
+   *   and scalar opacity.
    */
   vtkSetStdStringFromCharMacro(ColorArrayName);
   vtkGetCharFromStdStringMacro(ColorArrayName);
@@ -123,6 +126,9 @@ public:
   vtkBooleanMacro(ColorArrayOnCells, vtkTypeBool);
   vtkSetClampMacro(ColorArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ColorArrayComponent, int);
+  vtkSetMacro(ColorArrayOpacity, vtkTypeBool);
+  vtkGetMacro(ColorArrayOpacity, vtkTypeBool);
+  vtkBooleanMacro(ColorArrayOpacity, vtkTypeBool);
   virtual void SetColorTable(vtkScalarsToColors* table);
   vtkScalarsToColors* GetColorTable();
   //@}
@@ -613,6 +619,7 @@ private:
   std::string ColorArrayName;
   vtkTypeBool ColorArrayOnCells = 0;
   int ColorArrayComponent = 0;
+  vtkTypeBool ColorArrayOpacity = 0;
   vtkSmartPointer<vtkScalarsToColors> ColorTable;
   int VectorMode = DISABLED;
   int VectorComponent = 0;

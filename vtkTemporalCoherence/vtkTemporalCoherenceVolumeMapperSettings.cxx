@@ -187,6 +187,7 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColorArrayName: " << this->ColorArrayName << endl;
   os << indent << "ColorArrayOnCells: " << (this->ColorArrayOnCells ? "On" : "Off") << endl;
   os << indent << "ColorArrayComponent: " << this->ColorArrayComponent << endl;
+  os << indent << "ColorArrayOpacity: " << (this->ColorArrayOpacity ? "On" : "Off") << endl;
   os << indent << "ColorTable: " << this->ColorTable.GetPointer() << endl;
   os << indent << "VectorMode: " << this->VectorMode << endl;
   os << indent << "VectorComponent: " << this->VectorComponent << endl;

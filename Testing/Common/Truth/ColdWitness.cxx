@@ -80,6 +80,7 @@ bool ColdWitness::Draw(Scene& scene)
   this->Mapper->SetColorArrayName(scene.Mapper->GetColorArrayName());
   this->Mapper->SetColorArrayOnCells(scene.Mapper->GetColorArrayOnCells());
   this->Mapper->SetColorArrayComponent(scene.Mapper->GetColorArrayComponent());
+  this->Mapper->SetColorArrayOpacity(scene.Mapper->GetColorArrayOpacity());
   this->Mapper->SetColorTable(scene.Mapper->GetColorTable());
   this->Mapper->SetCropping(scene.Mapper->GetCropping());
   this->Mapper->SetCroppingRegionPlanes(scene.Mapper->GetCroppingRegionPlanes());

@@ -128,6 +128,7 @@ std::array<double, 4> Compositor::ColorOf(
   property->GetRGBTransferFunction()->GetColor(layer.Isovalue, color.data());
   color[3] = property->GetScalarOpacity()->GetValue(layer.Isovalue);
   const Point point = line.PointAt(layer.T);
+  this->ChangeLook(point, color);
   Point normal = this->GradientAt(point);
   color[3] *= this->OpacityByGradient(vtkMath::Normalize(normal.data()));
   if (property->GetShade())

@@ -44,6 +44,10 @@ public:
   /// Opacity by gradient magnitude, if not 1.
   std::function<double(double)> OpacityByGradient = [](double) { return 1.0; };
 
+  /// Changes the look of a surface at a place of the world: its red, green, blue and alpha.
+  std::function<void(const Point&, std::array<double, 4>&)> ChangeLook =
+    [](const Point&, std::array<double, 4>&) {};
+
 private:
   struct Layer;
   std::vector<Layer> LayersOf(const BruteForceTracer::Line& line);

@@ -101,6 +101,7 @@ std::set<std::string> ChangingScene::Features() const
   add(!mapper->IsOpaque(this->Shown.Volume), "translucent");
   add(property->HasGradientOpacity() && !property->GetDisableGradientOpacity(),
     "by gradient magnitude");
+  add(mapper->GetColorArrayOpacity(), "opacity by an array");
   add(property->GetIsoSurfaceValues()->GetNumberOfContours() > 1, "several");
   add(property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION, "nearest");
   add(mapper->GetSurfaceMode() == Mapper::THRESHOLD, "threshold");

@@ -219,6 +219,7 @@ void SwitchOff(Scene& scene)
   mapper->SetShadows(made->GetShadows());
   mapper->SetVectorMode(made->GetVectorMode());
   mapper->SetColorArrayName(made->GetColorArrayName());
+  mapper->SetColorArrayOpacity(made->GetColorArrayOpacity());
   mapper->SetMaskInput(nullptr);
   mapper->SetAntialiasingToOff();
   mapper->SetReuseFrames(made->GetReuseFrames());

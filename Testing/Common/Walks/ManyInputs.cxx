@@ -215,7 +215,9 @@ void ManyInputs::ChooseColors()
   mapper->SetColorArrayName(names[array]);
   mapper->SetColorArrayOnCells(array == 3);
   mapper->SetColorArrayComponent(array == 2 ? this->Views.Pick(4) - 1 : 0);
+  mapper->SetColorArrayOpacity(array > 0 && this->Views.Pick(3) == 0);
   vtkNew<vtkLookupTable> table;
+  table->SetAlphaRange(this->Views.Between(0.0, 1.0), 1.0);
   table->SetTableRange(this->Views.Between(-600.0, 0.0), this->Views.Between(1.0, 600.0));
   table->Build();
   mapper->SetColorTable(table);

@@ -12,6 +12,7 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <string>
 
 namespace Fuzz
 {
@@ -114,7 +115,7 @@ void Paint(World& world)
   Mapper::ModifiedWithin(image, extent);
 }
 
-/// Surfaces have the colours of some array of the data, or of none.
+/// Surfaces have the colours, and perhaps opacities, of some array of the data, or of none.
 void SetColorArray(World& world)
 {
   Bytes& from = world.From;
@@ -122,8 +123,10 @@ void SetColorArray(World& world)
   world.Subject->SetColorArrayName(from.IsWild() ? "missing" : from.OneOf(names));
   world.Subject->SetColorArrayOnCells(from.OneIn(6));
   world.Subject->SetColorArrayComponent(from.OneIn(4) ? -1 : 0);
-  Story::Tell("  colours of ",
-    world.Subject->GetColorArrayName() ? world.Subject->GetColorArrayName() : "no array");
+  const bool isThere = !std::string(world.Subject->GetColorArrayName()).empty();
+  world.Subject->SetColorArrayOpacity((isThere || from.IsWild()) && from.OneIn(3));
+  Story::Tell("  colours ", world.Subject->GetColorArrayOpacity() ? "and opacities " : "", "of '",
+    world.Subject->GetColorArrayName(), "'");
 }
 
 void SetColorTable(World& world)
@@ -132,6 +135,16 @@ void SetColorTable(World& world)
   if (from.OneIn(4))
   {
     world.Subject->SetColorTable(nullptr);
+    return;
+  }
+  if (from.OneIn(3))
+  {
+    vtkNew<vtkLookupTable> steps;
+    steps->SetNumberOfTableValues(2 + from.Pick(6));
+    steps->SetTableRange(world.Low, world.High);
+    steps->SetAlphaRange(from.Between(0.0, 1.0), 1.0);
+    steps->Build();
+    world.Subject->SetColorTable(steps);
     return;
   }
   vtkNew<vtkColorTransferFunction> table;

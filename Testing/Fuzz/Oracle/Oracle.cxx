@@ -103,6 +103,7 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   fresh->SetColorArrayName(subject->GetColorArrayName());
   fresh->SetColorArrayOnCells(subject->GetColorArrayOnCells());
   fresh->SetColorArrayComponent(subject->GetColorArrayComponent());
+  fresh->SetColorArrayOpacity(subject->GetColorArrayOpacity());
   fresh->SetColorTable(subject->GetColorTable());
   fresh->SetShadows(subject->GetShadows());
   fresh->SetVectorMode(subject->GetVectorMode());

@@ -120,6 +120,7 @@ void World::MakeSane()
     mapper->SetSurfaceModeToLabels();
     mapper->SetLabelTable(nullptr);
     mapper->SetColorArrayName(nullptr);
+    mapper->ColorArrayOpacityOff();
     mapper->SetMaskInput(nullptr);
   }
   mapper->SetScalarModeToDefault();

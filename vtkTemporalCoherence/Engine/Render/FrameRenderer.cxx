@@ -93,6 +93,7 @@ bool FrameRenderer::Render(
     // Some rays find the light of the surfaces.
     const std::unique_ptr<SurfaceLight> light = this->BeginLight(task, route);
     task.Light = light.get();
+    task.Values = this->BeginValues(key, route);
 
     // One function makes the frame. If it is stopped or runs out of memory, the last frame is
     // unchanged.
@@ -114,6 +115,13 @@ bool FrameRenderer::Render(
   this->TimeToBuild = statistics.IsomapBuildTime;
   this->OfLastFrame = statistics;
   return true;
+}
+
+/// Prepare the values of an array at known hits; null if none are kept.
+KeptHitValues* FrameRenderer::BeginValues(const FrameKey& key, Route route)
+{
+  const bool isShaded = route != Route::Redisplay && route != Route::Antialias;
+  return isShaded && this->Values.Begin(key, route == Route::Reshade) ? &this->Values : nullptr;
 }
 
 /// Prepare the rays that find the light of the next frame's surfaces; null if none are needed.

@@ -11,6 +11,7 @@
 #include "Render/FrameStore.h"
 #include "Render/FrameStructures.h"
 #include "Render/ReusePlan.h"
+#include "Shade/KeptHitValues.h"
 
 #include <cstdint>
 #include <memory>
@@ -84,6 +85,7 @@ private:
   void FollowSamples(const FrameKey& key);
   void PrepareRanges(const FrameKey& key);
   Route ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const;
+  KeptHitValues* BeginValues(const FrameKey& key, Route route);
   std::unique_ptr<SurfaceLight> BeginLight(const FrameTask& task, Route route);
   std::unique_ptr<SurfaceLight> MakeLight(const FrameTask& task, std::uint32_t raysOfFrame,
     std::uint32_t rays, bool isStill, KeptShadows* shadows);
@@ -103,6 +105,7 @@ private:
   IsomapBuilder Map;      ///< of the view in which isovalues last changed
   LightCache Light;       ///< of the surfaces that frames showed
   KeptShadows Shadows;    ///< of the last frame
+  KeptHitValues Values;   ///< of the last frame
   KnotForm LastForm;      ///< as requested for the last frame
   std::vector<std::uint64_t> UnresolvedRays; ///< memory of LookUp
   FrameStatistics OfLastFrame;

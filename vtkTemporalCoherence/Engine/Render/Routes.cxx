@@ -98,8 +98,9 @@ bool ShadeAgain(FrameTask& task)
   {
     Stopwatch watch(task.Statistics.ShadeTime);
     FrameKey key = task.Key;
-    const TileShader shader(
-      ShadeSceneOf(task, SpaceOfMerged(task, picture)), HitSet::None, HitSet::All);
+    ShadeScene scene = ShadeSceneOf(task, SpaceOfMerged(task, picture));
+    scene.Values = task.Values;
+    const TileShader shader(scene, HitSet::None, HitSet::All);
     // Without a report nothing from here on can stop the frame.
     std::optional<SavedColors> saved;
     if (task.Report)

@@ -9,6 +9,7 @@
 #include "Render/FrameStatistics.h"
 #include "Render/FrameStore.h"
 #include "Render/FrameStructures.h"
+#include "Shade/KeptHitValues.h"
 
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,8 @@ struct FrameTask
   SurfaceLight* Light;     ///< that reaches the surfaces; null: all of it does
   ReportProgress Report;   ///< called with the progress, if it is not null; may stop the frame
   bool IsRepeated = false; ///< nothing has changed since the last frame
+  KeptHitValues* Values =
+    nullptr; ///< of the hits of the last frame, if they are shaded again; or null
 };
 
 // One function for each route. Redisplay and Reshade change the last frame in place. The others

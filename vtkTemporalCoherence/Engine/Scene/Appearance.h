@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_Appearance_h
 #define TemporalCoherence_Appearance_h
 
-#include "Scene/ArrayColors.h"
+#include "Scene/ArrayLooks.h"
 
 #include <glm/glm.hpp>
 

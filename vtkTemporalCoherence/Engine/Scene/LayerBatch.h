@@ -50,7 +50,7 @@ struct LayerBatch
   List<std::uint8_t> Ray;
 
   std::size_t Limit = MostLayers; ///< largest number of surfaces of a ray in this pass
-  /// Opacities of the isovalues. Null: they depend on gradients, so only shading knows them.
+  /// Opacities of the isovalues. Null: only shading knows them.
   const float* Alphas = nullptr;
 
   Array<std::uint8_t> Count; ///< surfaces of each ray, and their places in the lists:

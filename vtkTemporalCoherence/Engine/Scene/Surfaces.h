@@ -3,11 +3,13 @@
 #ifndef TemporalCoherence_Surfaces_h
 #define TemporalCoherence_Surfaces_h
 
+#include "Scene/ArrayLooks.h"
 #include "Scene/Field.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace TemporalCoherence
@@ -56,9 +58,14 @@ struct Surfaces
   SurfaceMode Mode = SurfaceMode::Crossing;
   std::vector<double> Opacities{}; ///< one for each isovalue, in (0, 1]; empty: all are opaque
   GradientOpacity ByGradient{};
+  /// Opacities at the values of an array. They multiply the others. Null: none.
+  std::shared_ptr<const ArrayOpacities> ByArray{};
+
+  /// True if opacity differs from place to place on a surface. Only shading knows it.
+  bool HasOpacityByPlace() const { return !this->ByGradient.Nodes.empty() || this->ByArray; }
 
   /// True if some surface may be translucent.
-  bool IsTranslucent() const { return !this->Opacities.empty() || !this->ByGradient.Nodes.empty(); }
+  bool IsTranslucent() const { return !this->Opacities.empty() || this->HasOpacityByPlace(); }
 };
 
 /// True if rays meet the same surfaces, whatever their opacities.
@@ -69,7 +76,8 @@ inline bool AreMetAlike(const Surfaces& a, const Surfaces& b)
 
 inline bool operator==(const Surfaces& a, const Surfaces& b)
 {
-  return AreMetAlike(a, b) && a.Opacities == b.Opacities && a.ByGradient == b.ByGradient;
+  return AreMetAlike(a, b) && a.Opacities == b.Opacities && a.ByGradient == b.ByGradient &&
+    AreSame(a.ByArray, b.ByArray);
 }
 
 /// Isovalues from Low to High, both included.
@@ -90,11 +98,11 @@ inline bool IsWithin(const ValueBand& inner, const ValueBand& outer)
   return outer.Holds(inner.Low) && outer.Holds(inner.High);
 }
 
-/// Opacities of isovalues for compositing. Empty if all are opaque, or if gradients change them.
+/// Opacities of isovalues for compositing. Empty if all are opaque, or if only shading knows them.
 inline std::vector<float> AlphasOf(const Surfaces& surfaces)
 {
   std::vector<float> alphas;
-  for (std::size_t i = 0; i < surfaces.Opacities.size() && surfaces.ByGradient.Nodes.empty(); ++i)
+  for (std::size_t i = 0; i < surfaces.Opacities.size() && !surfaces.HasOpacityByPlace(); ++i)
   {
     alphas.push_back(static_cast<float>(surfaces.Opacities[i]));
   }

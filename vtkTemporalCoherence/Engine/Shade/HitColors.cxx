@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/HitColors.h"
 
+#include "Scene/ValueTable.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -15,11 +17,9 @@ using Colors = std::array<RayBatch::Array<float>, 3>;
 
 void FindByArray(const ArrayColors& array, const HitList& hits, Colors& colors)
 {
-  RayBatch::Array<double> values;
-  array.Values->Find(hits.Rays, hits.Cell, values);
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
-    const glm::vec3 color = array.Colors->At(values[i]);
+    const glm::vec3 color = array.Looks->At(hits.Values[i]);
     for (std::size_t a = 0; a < 3; ++a)
     {
       colors[a][i] = color[static_cast<int>(a)];

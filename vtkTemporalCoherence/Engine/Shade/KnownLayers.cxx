@@ -152,6 +152,12 @@ void StoreFirstLayers(
       {
         frame.Depth[pixel] = hit.Depth;
         frame.Isovalues[pixel] = hit.Isovalue;
+        // The planes of the last frame hold its first visible layer.
+        frame.Kinds[pixel] = hit.Kind;
+        if (!frame.Cells.empty())
+        {
+          frame.Cells[pixel] = hit.Cell;
+        }
       }
       else
       {

@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <hwy/cache_control.h>
+
 namespace TemporalCoherence
 {
 namespace
@@ -28,23 +30,26 @@ void Interpolate(
   const TypedField<T>& samples, const CellPoints<double>& points, RayBatch::Array<double>& values)
 {
   const std::int64_t x = samples.Strides.x, y = samples.Strides.y, z = samples.Strides.z;
-  const std::array<std::int64_t, 8> toCorner = { 0, x, y, x + y, z, x + z, y + z, x + y + z };
-  std::array<RayBatch::Array<double>, 8> corners;
+  // Rows of samples lie far apart: prefetch all before reading the first.
+  std::array<const T*, RayBatch::Capacity> first;
   for (std::size_t i = 0; i < points.Count; ++i)
   {
-    const T* const first = samples.At(points.Cell[0][i], points.Cell[1][i], points.Cell[2][i]);
-    for (std::size_t corner = 0; corner < 8; ++corner)
+    first[i] = samples.At(points.Cell[0][i], points.Cell[1][i], points.Cell[2][i]);
+    for (const std::int64_t toRow : { std::int64_t(0), y, z, y + z })
     {
-      corners[corner][i] = static_cast<double>(first[toCorner[corner]]);
+      hwy::Prefetch(first[i] + toRow);
     }
   }
   for (std::size_t i = 0; i < points.Count; ++i)
   {
     const double u = points.At[0][i], v = points.At[1][i], w = points.At[2][i];
-    const auto along = [&](std::size_t edge)
-    { return corners[edge][i] * (1.0 - u) + corners[edge + 1][i] * u; };
-    const double low = along(0) * (1.0 - v) + along(2) * v;
-    const double high = along(4) * (1.0 - v) + along(6) * v;
+    const auto along = [&](std::int64_t edge)
+    {
+      return static_cast<double>(first[i][edge]) * (1.0 - u) +
+        static_cast<double>(first[i][edge + x]) * u;
+    };
+    const double low = along(0) * (1.0 - v) + along(y) * v;
+    const double high = along(z) * (1.0 - v) + along(y + z) * v;
     values[i] = low * (1.0 - w) + high * w;
   }
 }

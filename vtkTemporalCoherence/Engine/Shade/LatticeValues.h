@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_LatticeValues_h
 #define TemporalCoherence_LatticeValues_h
 
-#include "Scene/ArrayColors.h"
+#include "Scene/ArrayLooks.h"
 #include "Scene/Field.h"
 #include "Scene/GridCoordinates.h"
 

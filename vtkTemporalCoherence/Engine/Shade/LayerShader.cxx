@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/LayerShader.h"
 
+#include "Shade/HitOpacities.h"
+#include "Shade/HitValues.h"
+
 #include <algorithm>
 #include <array>
 
@@ -48,6 +51,9 @@ void LayerShader::Shade(std::int64_t tile, HitList& hits, ShadedLayer* shaded) c
   const Surfaces& surfaces = this->Key.Isosurfaces();
   std::array<RayBatch::Array<double>, 3> gradients;
   ComputeNormals(this->Source, hits, surfaces.ByGradient.Nodes.empty() ? nullptr : &gradients);
+  FindHitValues(this->Key, hits);
+  RayBatch::Array<float> opacities;
+  FindHitOpacities(surfaces, hits, gradients, opacities);
   ArrivingLight arriving;
   if (this->Light)
   {
@@ -58,7 +64,7 @@ void LayerShader::Shade(std::int64_t tile, HitList& hits, ShadedLayer* shaded) c
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
     shaded[i] = { { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, hits.Normal[i],
-      OpacityOf(surfaces, hits, i, gradients) };
+      opacities[i] };
   }
 }
 

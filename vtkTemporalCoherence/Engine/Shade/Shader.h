@@ -40,6 +40,7 @@ struct HitList
   Array<double> X, Y;     ///< normalised device coordinates, if FindHitRays is to be called
   HitRays Rays;
   Array<std::array<float, 3>> Normal;
+  Array<double> Values; ///< of the array that gives looks, once they are found; NaN: there is none
   std::uint64_t Misses = 0;                  ///< one bit for each place without a hit
   const KnownGradients* Gradients = nullptr; ///< of some of the hits; null: none is known
 };
@@ -97,22 +98,6 @@ void ComputeNormals(const NormalSource& source, HitList& hits,
 void StoreNormals(const HitList& hits, Frame& frame);
 void LoadNormals(const Frame& frame, HitList& hits);
 
-/// The opacity of a hit.
-/// \param gradients of the field at the hits, per index step, if opacities depend on them
-inline float OpacityOf(const Surfaces& surfaces, const HitList& hits, std::size_t hit,
-  const std::array<RayBatch::Array<double>, 3>& gradients)
-{
-  double opacity = surfaces.Opacities.empty()
-    ? 1.0
-    : surfaces.Opacities[static_cast<std::size_t>(hits.Surface[hit])];
-  if (!surfaces.ByGradient.Nodes.empty())
-  {
-    const glm::dvec3 gradient(gradients[0][hit], gradients[1][hit], gradients[2][hit]);
-    opacity *= surfaces.ByGradient.At(glm::length(gradient * surfaces.ByGradient.PerStep));
-  }
-  return static_cast<float>(opacity);
-}
-
 /// Find the colours of hits from their positions and normals.
 ///
 /// VTK's Phong model: ambient light is the surface's own colour; each light adds a diffuse term
@@ -120,6 +105,7 @@ inline float OpacityOf(const Surfaces& surfaces, const HitList& hits, std::size_
 /// (vtkVolumeShaderComposer of VTK 9.2 and later). Normals face the viewer, as for polygons; if
 /// lighting is one-sided, they face outside.
 ///
+/// \param hits     know their values, if an array gives colours
 /// \param arriving null: all light arrives
 void SumLight(const Appearance& appearance, const HitList& hits, const ArrivingLight* arriving,
   ShadingKernels::PhongSums& sums);

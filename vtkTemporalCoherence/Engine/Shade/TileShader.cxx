@@ -3,6 +3,7 @@
 #include "Shade/TileShader.h"
 
 #include "Scene/Timers.h"
+#include "Shade/HitValues.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@ TileShader::TileShader(const ShadeScene& scene, HitSet normalsOf, HitSet colorsO
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)
   , Light(scene.Light)
+  , Values(scene.Values)
 {
   if (scene.Tracer)
   {
@@ -67,6 +69,14 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found
     GatherHits(this->Key.View, part, this->ColorsOf == HitSet::All, frame, hits);
     LoadNormals(frame, hits);
   }
+  if (this->Values)
+  {
+    this->Values->Find(this->Key, tile, hits);
+  }
+  else
+  {
+    FindHitValues(this->Key, hits);
+  }
   ArrivingLight arriving;
   if (this->Light && hits.Rays.Count > 0)
   {
@@ -88,6 +98,7 @@ void TileShader::ShadeAt(
   HitList hits;
   TakeHitsAt(this->Key.View, at, found, hits);
   ComputeNormals(this->Source, hits);
+  FindHitValues(this->Key, hits);
   ArrivingLight arriving;
   if (this->Light && hits.Rays.Count > 0)
   {

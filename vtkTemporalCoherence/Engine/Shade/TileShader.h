@@ -7,6 +7,7 @@
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/TileHits.h"
+#include "Shade/KeptHitValues.h"
 #include "Shade/Shader.h"
 #include "Shade/TileCompositor.h"
 
@@ -34,6 +35,8 @@ struct ShadeScene
   const TileBounds* Bounds =
     nullptr;                     ///< of the active cells that the tracer leaps between; or null
   SurfaceLight* Light = nullptr; ///< that reaches the surfaces; null: all of it does
+  KeptHitValues* Values =
+    nullptr; ///< of the hits of the last frame, which are shaded again; or null
 };
 
 /// Shades tiles: normals and colours of hits and, if surfaces are translucent, of the layers
@@ -67,6 +70,7 @@ private:
   NormalSource Source;
   HitSet NormalsOf, ColorsOf;
   SurfaceLight* Light;
+  KeptHitValues* Values;
   std::unique_ptr<TileCompositor> Compositor; ///< null: all surfaces are opaque
 };
 

@@ -8,7 +8,7 @@
 #include "Input/FieldFromImage.h"
 #include "Input/SampleMask.h"
 #include "Input/ScalarChoice.h"
-#include "Scene/ArrayColors.h"
+#include "Scene/ArrayLooks.h"
 #include "Scene/Field.h"
 #include "Scene/Progress.h"
 #include "Scene/SampleChanges.h"

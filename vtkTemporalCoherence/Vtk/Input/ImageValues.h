@@ -8,7 +8,7 @@
 #include "Input/MergedBlocks.h"
 #include "Input/SamplesOfArray.h"
 #include "Input/ScalarChoice.h"
-#include "Scene/ArrayColors.h"
+#include "Scene/ArrayLooks.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <memory>

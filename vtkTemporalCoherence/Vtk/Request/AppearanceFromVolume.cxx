@@ -53,6 +53,12 @@ std::string At(const char* what, double number)
   return where.str();
 }
 
+/// The object that has the looks, for messages.
+const char* OwnerOf(const SurfaceLooks& looks)
+{
+  return looks.Table ? "the table of colours" : "the volume's property";
+}
+
 bool FindColors(const SurfaceLooks& looks, const std::vector<double>& isovalues,
   std::vector<glm::dvec3>& colors, std::string& error)
 {
@@ -78,7 +84,7 @@ bool FindColor(
   {
     if (!Allowed::Color.Holds(color[channel]))
     {
-      SettingCheck check({ looks.Table ? "the table of colours" : "the volume's property" }, error);
+      SettingCheck check({ OwnerOf(looks) }, error);
       check(("Colour " + At(what, value)).c_str(), color[channel], Allowed::Color,
         looks.Table ? "SetTableValue or AddRGBPoint"
           : looks.Property->GetColorChannels(looks.Component) == 3
@@ -87,6 +93,23 @@ bool FindColor(
       return false;
     }
   }
+  return true;
+}
+
+bool FindOpacity(
+  const SurfaceLooks& looks, const char* what, double value, double& opacity, std::string& error)
+{
+  const double found = looks.Table
+    ? looks.Table->GetOpacity(value)
+    : looks.Property->GetScalarOpacity(looks.Component)->GetValue(value);
+  if (!Allowed::Opacity.Holds(found))
+  {
+    SettingCheck check({ OwnerOf(looks) }, error);
+    check(("Scalar opacity " + At(what, value)).c_str(), found, Allowed::Opacity,
+      looks.Table ? "SetTableValue" : "GetScalarOpacity()->AddPoint");
+    return false;
+  }
+  opacity = std::min(std::max(found, 0.0), 1.0);
   return true;
 }
 
@@ -126,18 +149,15 @@ bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int compo
       error = what.str();
       return false;
     }
-    const double opacity = property->GetScalarOpacity(component)->GetValue(isovalue);
-    if (!Allowed::Opacity.Holds(opacity))
+    double opacity = 0.0;
+    if (!FindOpacity({ property, component }, "isovalue", isovalue, opacity, error))
     {
-      SettingCheck check({ "the volume's property" }, error);
-      check(("Scalar opacity " + At("isovalue", isovalue)).c_str(), opacity, Allowed::Opacity,
-        "GetScalarOpacity()->AddPoint");
       return false;
     }
     if (opacity > 0.0 && found.insert(isovalue).second)
     {
       isovalues.push_back(isovalue);
-      surfaces.Opacities.push_back(std::min(opacity, 1.0));
+      surfaces.Opacities.push_back(opacity);
       places.push_back(i);
     }
   }

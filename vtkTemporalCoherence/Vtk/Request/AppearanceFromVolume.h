@@ -41,7 +41,7 @@ struct SurfaceLooks
 {
   vtkVolumeProperty* Property;
   int Component = 0;                   ///< of the property
-  vtkScalarsToColors* Table = nullptr; ///< has the colours; null: the property has them
+  vtkScalarsToColors* Table = nullptr; ///< has colours and opacities; null: the property has them
 };
 
 /// Find the colour at a value.
@@ -50,6 +50,13 @@ struct SurfaceLooks
 /// \return false if it is no colour
 bool FindColor(
   const SurfaceLooks& looks, const char* what, double value, glm::dvec3& color, std::string& error);
+
+/// Find the opacity at a value, in [0, 1].
+/// \param what  the value is, for the error
+/// \param error receives the mistake and its remedy
+/// \return false if it is none
+bool FindOpacity(
+  const SurfaceLooks& looks, const char* what, double value, double& opacity, std::string& error);
 
 /// Make the appearance: colours at the isovalues, shading of a component of the property, and
 /// lights of the renderer. Numbers without effect are not checked, for example coefficients if

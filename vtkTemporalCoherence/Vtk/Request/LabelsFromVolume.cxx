@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/LabelsFromVolume.h"
 
-#include "Input/SettingCheck.h"
 #include "Kinds/LabelKind.h"
+#include "Request/AppearanceFromVolume.h"
 #include "Scene/FrameKey.h"
 
 #include <vtkLookupTable.h>
-#include <vtkPiecewiseFunction.h>
 #include <vtkVariant.h>
-#include <vtkVolumeProperty.h>
 
 #include <algorithm>
 #include <limits>
@@ -137,13 +135,9 @@ bool LabelsFromVolume::Find(const LabelSettings& settings, vtkVolumeProperty* pr
       return false;
     }
     const auto value = static_cast<double>(label);
-    const double opacity = settings.Table ? settings.Table->GetOpacity(value)
-                                          : property->GetScalarOpacity(component)->GetValue(value);
-    if (!Allowed::Opacity.Holds(opacity))
+    double opacity = 0.0;
+    if (!FindOpacity({ property, component, settings.Table }, "label", value, opacity, error))
     {
-      SettingCheck check({ "the volume's property" }, error);
-      check(("Scalar opacity at label " + std::to_string(label)).c_str(), opacity, Allowed::Opacity,
-        "GetScalarOpacity()->AddPoint");
       return false;
     }
     if (!(opacity > 0.0))
@@ -157,7 +151,7 @@ bool LabelsFromVolume::Find(const LabelSettings& settings, vtkVolumeProperty* pr
       return false;
     }
     surfaces.Isovalues.push_back(value);
-    surfaces.Opacities.push_back(std::min(opacity, 1.0));
+    surfaces.Opacities.push_back(opacity);
     places.push_back(static_cast<int>(label));
   }
   const auto isOpaque = [](double opacity) { return opacity == 1.0; };

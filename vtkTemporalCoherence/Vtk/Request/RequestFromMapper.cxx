@@ -142,9 +142,9 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
     (this->MakeScene(query, drawn.OfProperty, request, error) &&
       (!areLabels ||
         this->MakeLabels(settings, volume, sight.Renderer, drawn.OfProperty, request, error)) &&
-      (isBlended || !sight.Renderer || !settings.Colors.Array.IsAsked() ||
-        this->ArrayColoring.Make(this->Fields, settings.Colors, drawn.OfProperty, volume,
-          key.Appearance.ByArray, request.Read, error)));
+      (isBlended ||
+        this->MakeArrayLooks(
+          settings, volume, sight.Renderer != nullptr, drawn.OfProperty, request, error)));
   this->IsMakingField = false;
   SetMutualLight(settings, key);
   return isMade && (!isBlended || this->FinishBlending(settings, volume, drawn, key, error));
@@ -251,7 +251,7 @@ bool AreFewEnough(const Surfaces& surfaces, std::string& error)
   error = "There are " + std::to_string(count) + " translucent isovalues, more than the " +
     std::to_string(most) +
     " that can be drawn; shorten the list with SetNumberOfContours, or make them opaque with "
-    "GetScalarOpacity and DisableGradientOpacityOn.";
+    "GetScalarOpacity, DisableGradientOpacityOn and ColorArrayOpacityOff.";
   return false;
 }
 
@@ -300,6 +300,27 @@ bool RequestFromMapper::MakeScene(
   return true;
 }
 
+/// Make the looks by an array of the surfaces of a key, if one is asked for.
+bool RequestFromMapper::MakeArrayLooks(const PictureSettings& settings, vtkVolume* volume,
+  bool hasViewer, int component, FrameRequest& request, std::string& error)
+{
+  const ArrayLookSettings& byArray = settings.ByArray;
+  if (byArray.HasOpacity && !byArray.Array.IsAsked())
+  {
+    error = "ColorArrayOpacity is on, but there is no array; choose one with SetColorArrayName, or "
+            "call ColorArrayOpacityOff().";
+    return false;
+  }
+  if (!byArray.Array.IsAsked() || (!hasViewer && !byArray.HasOpacity))
+  {
+    return true;
+  }
+  FrameKey& key = request.Key;
+  return this->ArrayLooks.Make(
+           this->Fields, byArray, component, volume, hasViewer, key, request.Read, error) &&
+    (settings.Labels.AreDrawn || AreFewEnough(key.Isosurfaces(), error));
+}
+
 bool RequestFromMapper::IsOpaque(
   vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume)
 {
@@ -318,6 +339,11 @@ bool RequestFromMapper::IsOpaque(
     this->FindDrawn(mapper, settings, volume, drawn, error);
   }
   vtkVolumeProperty* property = volume->GetProperty();
+  if (settings.ByArray.Array.IsAsked() &&
+    !this->ArrayLooks.AreOpaque(settings.ByArray, property, drawn.OfProperty))
+  {
+    return false;
+  }
   if (settings.Labels.AreDrawn)
   {
     // Before the first frame nothing is known of the labels.

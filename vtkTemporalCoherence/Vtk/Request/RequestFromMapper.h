@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_RequestFromMapper_h
 #define TemporalCoherence_RequestFromMapper_h
 
-#include "Request/ArrayColorsFromVolume.h"
+#include "Request/ArrayLooksFromVolume.h"
 #include "Request/BlendingFromVolume.h"
 #include "Request/FieldFromMapper.h"
 #include "Request/LabelLooksFromVolume.h"
@@ -35,7 +35,7 @@ struct PictureSettings
   VectorChoice Vectors;
   SurfaceMode Mode = SurfaceMode::Crossing;
   LabelSettings Labels;
-  ArrayColorSettings Colors;
+  ArrayLookSettings ByArray; ///< of surfaces
   bool ColorByAnswer = false;
   double ColorWindow = 1.0, ColorLevel = 0.5; ///< maps colours level +- window / 2 to [0, 1]
   vtkContourValues* DepthPass = nullptr;      ///< isovalues if the property has none; or null
@@ -107,12 +107,14 @@ private:
     const DrawnComponent& drawn, FrameKey& key, std::string& error);
   bool MakeLabels(const PictureSettings& settings, vtkVolume* volume, vtkRenderer* renderer,
     int component, FrameRequest& request, std::string& error);
+  bool MakeArrayLooks(const PictureSettings& settings, vtkVolume* volume, bool hasViewer,
+    int component, FrameRequest& request, std::string& error);
 
   FieldFromMapper Fields;
   BlendingFromVolume Blendings;
   LabelsFromVolume Labels;
   LabelLooksFromVolume LabelLooks;
-  ArrayColorsFromVolume ArrayColoring;
+  ArrayLooksFromVolume ArrayLooks;
   DrawnComponent Drawn;       ///< from the last search
   bool IsMakingField = false; ///< meanwhile observers may ask anything
 };

@@ -152,9 +152,29 @@ ValueDivision DivideColors(vtkColorTransferFunction* function)
   return found;
 }
 
+/// Make bounds at least two.
+/// \param what  belongs to them, for the error
+/// \param error receives the mistake and its remedy
+/// \return false if they are not finite
+bool AreUsable(std::vector<double>& bounds, const std::string& what, std::string& error)
+{
+  while (bounds.size() < 2)
+  {
+    bounds.push_back(bounds.empty() ? 0.0 : bounds.back());
+  }
+  if (!AreFinite(bounds))
+  {
+    error = "The values to which " + what +
+      " belong are not all finite; set finite numbers in the ColorTable or in the " + what +
+      " of the volume's property.";
+    return false;
+  }
+  return true;
 }
 
-bool Divide(const SurfaceLooks& looks, ValueDivision& found, std::string& error)
+}
+
+bool DivideByColor(const SurfaceLooks& looks, ValueDivision& found, std::string& error)
 {
   if (looks.Table && looks.Table->GetIndexedLookup())
   {
@@ -185,17 +205,22 @@ bool Divide(const SurfaceLooks& looks, ValueDivision& found, std::string& error)
     found =
       functions.Color ? DivideColors(functions.Color) : DivideAtNodes(functions.Gray, 2, true);
   }
-  while (found.Bounds.size() < 2)
+  return AreUsable(found.Bounds, "colours", error);
+}
+
+bool DivideByOpacity(const SurfaceLooks& looks, ValueDivision& found, std::string& error)
+{
+  auto* const steps = vtkDiscretizableColorTransferFunction::SafeDownCast(looks.Table);
+  const bool hasFunction = steps && steps->GetEnableOpacityMapping() && !steps->GetIndexedLookup();
+  vtkPiecewiseFunction* const function = hasFunction ? steps->GetScalarOpacityFunction()
+    : looks.Table                                    ? nullptr
+                  : looks.Property->GetScalarOpacity(looks.Component);
+  if (!function)
   {
-    found.Bounds.push_back(found.Bounds.empty() ? 0.0 : found.Bounds.back());
+    return DivideByColor(looks, found, error);
   }
-  if (!AreFinite(found.Bounds))
-  {
-    error = "The values to which colours belong are not all finite; set finite numbers in the "
-            "ColorTable or in the colours of the volume's property.";
-    return false;
-  }
-  return true;
+  found = DivideAtNodes(function, 2, true);
+  return AreUsable(found.Bounds, "opacities", error);
 }
 
 }

@@ -12,10 +12,10 @@
 namespace TemporalCoherence
 {
 
-/// The division of values into intervals.
+/// The division of values into intervals of a ValueTable.
 struct ValueDivision
 {
-  std::vector<double> Bounds; ///< as ValueColors::Bounds
+  std::vector<double> Bounds; ///< as ValueTable::Bounds
   std::size_t InSegment = 1;  ///< intervals
   bool AreSteps = false;      ///< an interval has one colour
 };
@@ -23,7 +23,12 @@ struct ValueDivision
 /// Divide values as the table or the colour function of looks does.
 /// \param error receives the mistake and its remedy
 /// \return false on error
-bool Divide(const SurfaceLooks& looks, ValueDivision& found, std::string& error);
+bool DivideByColor(const SurfaceLooks& looks, ValueDivision& found, std::string& error);
+
+/// Divide values as the opacities of the table, or the opacity function, of looks do.
+/// \param error receives the mistake and its remedy
+/// \return false on error
+bool DivideByOpacity(const SurfaceLooks& looks, ValueDivision& found, std::string& error);
 
 }
 

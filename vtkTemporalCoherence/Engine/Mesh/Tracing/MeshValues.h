@@ -4,7 +4,7 @@
 #define TemporalCoherence_MeshValues_h
 
 #include "Mesh/Tree/MeshTree.h"
-#include "Scene/ArrayColors.h"
+#include "Scene/ArrayLooks.h"
 
 #include <cstdint>
 #include <memory>

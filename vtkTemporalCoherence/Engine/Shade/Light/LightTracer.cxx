@@ -4,6 +4,8 @@
 
 #include "Lattice/RayPieces.h"
 #include "Scene/LayerBatch.h"
+#include "Shade/HitOpacities.h"
+#include "Shade/HitValues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +123,21 @@ std::int64_t LightTracer::TraceOpaque(const RayBatch& batch, RayBatch::Array<flo
   return cells;
 }
 
+void LightTracer::FindOpacities(HitList& hits, RayBatch::Array<float>& opacities) const
+{
+  const Surfaces& surfaces = this->Key.Isosurfaces();
+  std::array<RayBatch::Array<double>, 3> gradients;
+  if (!surfaces.ByGradient.Nodes.empty())
+  {
+    ComputeNormals(this->Source, hits, &gradients);
+  }
+  if (surfaces.ByArray)
+  {
+    FindHitValues(this->Key, hits);
+  }
+  FindHitOpacities(surfaces, hits, gradients, opacities);
+}
+
 std::int64_t LightTracer::TraceLayers(
   const LightRays& rays, const RayBatch& batch, RayBatch::Array<float>& passed) const
 {
@@ -158,15 +175,12 @@ std::int64_t LightTracer::TraceLayers(
         FillLastVector(count, hits.Rays.Begin[a]);
         FillLastVector(count, hits.Rays.Own[a]);
       }
-      std::array<RayBatch::Array<double>, 3> gradients;
-      if (!this->Key.Isosurfaces().ByGradient.Nodes.empty())
-      {
-        ComputeNormals(this->Source, hits, &gradients);
-      }
+      RayBatch::Array<float> opacities;
+      this->FindOpacities(hits, opacities);
       for (std::size_t i = 0; i < count; ++i)
       {
         float& ofRay = passed[layers.Ray[first + i]];
-        ofRay = PassedBehind(ofRay, OpacityOf(this->Key.Isosurfaces(), hits, i, gradients));
+        ofRay = PassedBehind(ofRay, opacities[i]);
       }
     }
   } while (layers.BeginNext(rays.Count, passed));

@@ -57,6 +57,7 @@ public:
 private:
   void SetUp(const LightRays& rays, RayBatch& batch) const;
   std::int64_t TraceOpaque(const RayBatch& batch, RayBatch::Array<float>& passed) const;
+  void FindOpacities(HitList& hits, RayBatch::Array<float>& opacities) const;
   std::int64_t TraceLayers(
     const LightRays& rays, const RayBatch& batch, RayBatch::Array<float>& passed) const;
 

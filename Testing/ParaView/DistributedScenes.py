@@ -11,8 +11,8 @@ import os
 from paraview import servermanager
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from Stage import (AMRGaussianPulseSource, Calculator, CreateWriter, Delete, GroupDatasets,
-                   HierarchicalFractal, LegacyVTKReader, OpenDataFile, PointDatatoCellData,
+from Stage import (AMRGaussianPulseSource, Calculator, CreateWriter, Delete, GetColorTransferFunction,
+                   GroupDatasets, HierarchicalFractal, LegacyVTKReader, OpenDataFile, PointDatatoCellData,
                    ProgrammableFilter, ProgrammableSource, Render, SaveData, Tetrahedralize,
                    Transform, check, check_same, count_different, look_from, make_view,
                    make_wavelet, show, statistic, take_picture)
@@ -108,6 +108,35 @@ def draw(name, source, isovalues, fxaa=0, array=None, **settings):
     Delete(display)
     Delete(view)
     return pictures
+
+
+def labels(wavelet):
+    """Parts of an image, as faces and smooth; one is hidden."""
+    parts = Calculator(Input=wavelet, Function="floor(RTData/55)", ResultArrayName="Parts",
+                       ResultArrayType="Int")
+    array = ("POINTS", "Parts")
+    table = GetColorTransferFunction("Parts")
+    table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 5.0, 1.0, 1.0, 0.0]
+    look = {"array": array, "SurfaceMode": "Labels", "LookupTable": table}
+    draw("labels", parts, [], LabelOpacities=[4.0, 0.0], **look)
+    draw("labels-smooth", parts, [], LabelRadius=2.5, LabelOpacities=[4.0, 0.0], **look)
+    cells = PointDatatoCellData(Input=wavelet)
+    parts = Calculator(Input=cells, AttributeType="Cell Data", Function="floor(RTData/55)",
+                       ResultArrayName="Parts", ResultArrayType="Int")
+    look["array"] = ("CELLS", "Parts")
+    draw("labels-cells", parts, [], LabelRadius=1.5, **look)
+
+
+def second_arrays(wavelet):
+    """Surfaces in the colours of another array; the blocks of a translucent mesh are merged."""
+    table = GetColorTransferFunction("Height")
+    table.RGBPoints = [-20.0, 0.0, 0.0, 1.0, 20.0, 1.0, 1.0, 0.0]
+    coloured = Calculator(Input=wavelet, Function="coordsZ", ResultArrayName="Height")
+    look = {"array": ("POINTS", "Height"), "SurfaceArrayName": ["POINTS", "RTData"], "LookupTable": table}
+    draw("coloured", coloured, [150.0], **look)
+    mesh = Tetrahedralize(Input=coloured)
+    blocks = GroupDatasets(Input=[mesh, Transform(Input=mesh)])
+    draw("translucent-coloured-blocks", blocks, [120.0, 200.0], Opacity=0.4, **look)
 
 
 def meshes(wavelet):
@@ -237,6 +266,8 @@ def main():
     draw("cropped", wavelet, [120.0], SurfaceMode="Threshold", UseCropping=1,
          CroppingOrigin=[3.0, 0.0, 0.0], CroppingScale=[0.6, 0.7, 0.8])
     draw("cells", PointDatatoCellData(Input=wavelet), [150.0])
+    labels(wavelet)
+    second_arrays(wavelet)
     meshes(wavelet)
     adaptive_grids()
     files()

@@ -5,6 +5,7 @@
 import os
 
 import numpy as np
+from paraview import servermanager
 from paraview.simple import *  # noqa: F401,F403 as ParaView's own scripts do
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -49,6 +50,15 @@ def show(source, view, isovalues, array=None):
     display.DiffuseColor = [1.0, 1.0, 1.0]
     display.Isovalues = isovalues
     return display
+
+
+def samples_of(source, array):
+    """Samples [i, j, k] of a source's image, its origin and its spacing."""
+    image = servermanager.Fetch(source)
+    samples = vtk_to_numpy(image.GetPointData().GetArray(array))
+    samples = samples.reshape(image.GetDimensions()[::-1]).transpose(2, 1, 0)
+    spacing = np.array(image.GetSpacing())
+    return samples, np.array(image.GetOrigin()) + spacing * image.GetExtent()[::2], spacing
 
 
 def look_from(view, azimuth=30.0, elevation=25.0, zoom=1.4):

@@ -34,7 +34,7 @@ std::vector<vtkIdType> CountHits(const Frame& frame)
   ParallelFor(frame.Size.y, RowGrain,
     [&](std::int64_t row)
     {
-      const std::int16_t* const first =
+      const SurfaceIndex* const first =
         frame.Isovalues.data() + IndexOfPixel(frame, 0, static_cast<int>(row));
       before[static_cast<std::size_t>(row) + 1] =
         frame.Size.x - std::count(first, first + frame.Size.x, Frame::NoSurface);

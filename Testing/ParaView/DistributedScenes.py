@@ -14,7 +14,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from Stage import (AMRGaussianPulseSource, Calculator, CreateWriter, Delete, GetColorTransferFunction,
                    GroupDatasets, HierarchicalFractal, LegacyVTKReader, OpenDataFile, PointDatatoCellData,
                    ProgrammableFilter, ProgrammableSource, Render, SaveData, Tetrahedralize,
-                   Transform, check, check_same, count_different, look_from, make_view,
+                   Transform, check, check_same, count_different, look_from, make_parts, make_view,
                    make_wavelet, show, statistic, take_picture)
 
 PROCESSES = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
@@ -112,19 +112,16 @@ def draw(name, source, isovalues, fxaa=0, array=None, **settings):
 
 def labels(wavelet):
     """Parts of an image, as faces and smooth; one is hidden."""
-    parts = Calculator(Input=wavelet, Function="floor(RTData/55)", ResultArrayName="Parts",
-                       ResultArrayType="Int")
-    array = ("POINTS", "Parts")
+    parts = make_parts(wavelet)
     table = GetColorTransferFunction("Parts")
     table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 5.0, 1.0, 1.0, 0.0]
-    look = {"array": array, "SurfaceMode": "Labels", "LookupTable": table}
+    look = {"array": ("POINTS", "Parts"), "SurfaceMode": "Labels", "LookupTable": table}
     draw("labels", parts, [], LabelOpacities=[4.0, 0.0], **look)
     draw("labels-smooth", parts, [], LabelRadius=2.5, LabelOpacities=[4.0, 0.0], **look)
-    cells = PointDatatoCellData(Input=wavelet)
-    parts = Calculator(Input=cells, AttributeType="Cell Data", Function="floor(RTData/55)",
-                       ResultArrayName="Parts", ResultArrayType="Int")
+    cells = make_parts(PointDatatoCellData(Input=wavelet))
+    cells.AttributeType, cells.Function = "Cell Data", "floor(max(RTData-130,0)/27)"
     look["array"] = ("CELLS", "Parts")
-    draw("labels-cells", parts, [], LabelRadius=1.5, **look)
+    draw("labels-cells", cells, [], LabelRadius=1.5, **look)
 
 
 def second_arrays(wavelet):

@@ -41,6 +41,12 @@ def make_wavelet(last=20):
     return Wavelet(WholeExtent=[-last, last] * 3)
 
 
+def make_parts(source):
+    """Labels 1 to 5, shells of a wavelet, cut open; 0 is around them."""
+    return Calculator(Input=source, Function="if(coordsZ>1, 0, floor(max(RTData-130,0)/27))",
+                      ResultArrayName="Parts", ResultArrayType="Int")
+
+
 def show(source, view, isovalues, array=None):
     """Show a source as a Temporal Isosurface in white, of an array or of the first one."""
     display = Show(source, view)

@@ -3,7 +3,7 @@
 """Surfaces of one array in the colours of another, and the slider of the first, by brute force in ParaView."""
 
 import numpy as np
-from paraview import servermanager
+from vtkmodules.vtkCommonCore import reference
 
 from BruteForce import Field, rays_of
 from Stage import (Calculator, ColorBy, GetColorTransferFunction, GetScalarBar, PointDatatoCellData, Render,
@@ -27,12 +27,12 @@ def show_surface(source, view, array):
     """A surface of the wavelet without shades."""
     display = Show(source, view)
     display.Representation = "Temporal Isosurface"
-    display.Ambient, display.Diffuse = 1.0, 0.0
     display.SurfaceArrayName = ["POINTS", "RTData"]
     display.Isovalues = [ISOVALUE]
     color_by(display, array)
     look_from(view)
-    Render(view)
+    Render(view)  # sets the clipping range
+    display.Ambient, display.Diffuse = 1.0, 0.0
     return display
 
 
@@ -57,10 +57,8 @@ def check_colors(what, view, is_hit, values):
 
 def range_of_slider(display):
     """The range that the panel gives the slider of the isovalue."""
-    domain = display.SMProxy.GetProperty("Isovalue").GetDomain("scalar_range")
-    exists = servermanager.vtkRemotingServerManager.vtkSMDoubleRangeDomain
-    assert isinstance(domain, exists), "the slider has no range"
-    return domain.GetMinimum(0), domain.GetMaximum(0)
+    domain, exists = display.SMProxy.GetProperty("Isovalue").GetDomain("scalar_range"), reference(0)
+    return domain.GetMinimum(0, exists), domain.GetMaximum(0, exists)
 
 
 def test_colors(view, display, field):

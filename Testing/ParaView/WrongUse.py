@@ -4,8 +4,8 @@
 
 import os
 
-from Stage import (Calculator, ColorBy, Hide, ProgrammableSource, Render, Show, Tetrahedralize,
-                   look_from, make_view, make_wavelet, show, statistic, take_picture)
+from Stage import (ColorBy, Hide, ProgrammableSource, Render, Show, Tetrahedralize,
+                   look_from, make_parts, make_view, make_wavelet, show, statistic, take_picture)
 
 NO_ARRAYS = """
 self.GetOutputDataObject(0).SetDimensions(5, 5, 5)
@@ -54,8 +54,7 @@ def wrong_labels(view, display):
     Hide(display.Input, view)
 
     begin("labels of a mesh")
-    parts = Calculator(Input=make_wavelet(), Function="floor(RTData/55)", ResultArrayName="Parts",
-                       ResultArrayType="Int")
+    parts = make_parts(make_wavelet())
     mesh = show(Tetrahedralize(Input=parts), view, [], ("POINTS", "Parts"))
     mesh.SurfaceMode = "Labels"
     turn(view)

@@ -262,9 +262,9 @@ check_wrong_use() # PROCESSES
     check "wrong use, $1 process(es): a translucent solid" says_once "$said" 'translucent solid' \
       "Translucent solids show where processes' parts are cut; choose the SurfaceMode Crossing"
   check "wrong use, $1 process(es): floats as labels" says_once "$said" fractions \
-    "Labels are whole numbers, one for each point or cell of an image, which 'RTData' is not"
+    "'RTData' cannot be drawn as labels, which are whole numbers on an image"
   check "wrong use, $1 process(es): a mesh as labels" says_once "$said" 'labels of a mesh' \
-    "Labels are whole numbers, one for each point or cell of an image, which 'Parts' is not"
+    "'Parts' cannot be drawn as labels, which are whole numbers on an image"
   check "wrong use, $1 process(es): no array for colours" says_once "$said" 'no colours' \
     "The input has no point array 'Nonsense'; choose one that it has with ColorBy: ('POINTS', 'RTData')."
   check "wrong use, $1 process(es): no array for surfaces" says_once "$said" 'no surfaces' \

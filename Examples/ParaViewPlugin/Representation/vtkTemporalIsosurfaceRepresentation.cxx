@@ -298,9 +298,9 @@ std::string vtkTemporalIsosurfaceRepresentation::FindMistakeInLabels(
   {
     return "";
   }
-  return "Labels are whole numbers, one for each point or cell of an image, which '" + name +
-    "' is not; choose another array or SurfaceMode, or make such an array, for example with the "
-    "filter Calculator and its ResultArrayType Int.";
+  return "'" + name +
+    "' cannot be drawn as labels, which are whole numbers on an image; choose another array or "
+    "SurfaceMode, or make whole numbers with the filter Calculator (ResultArrayType Int).";
 }
 
 //------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from Stage import (AMRGaussianPulseSource, Calculator, CreateWriter, Delete, GetColorTransferFunction,
                    GroupDatasets, HierarchicalFractal, LegacyVTKReader, OpenDataFile, PointDatatoCellData,
                    ProgrammableFilter, ProgrammableSource, Render, SaveData, Tetrahedralize,
-                   Transform, check, check_same, count_different, look_from, make_parts, make_view,
+                   Transform, check, check_same, count_different, look_from, make_labels, make_view,
                    make_wavelet, show, statistic, take_picture)
 
 PROCESSES = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
@@ -97,9 +97,11 @@ def draw(name, source, isovalues, fxaa=0, array=None, **settings):
     Render(view)
     view.GetActiveCamera().Azimuth(2.0)
     pictures = [take_picture(view, f"{name}-{PROCESSES}")]
-    display.Isovalues = [value * 1.01 for value in isovalues]
-    Render(view)
-    display.Isovalues = [value * 1.02 for value in isovalues]
+    for factor in (1.01, 1.02):
+        Render(view)
+        display.Isovalues = [value * factor for value in isovalues]
+        if not isovalues:  # labels have none
+            view.GetActiveCamera().Azimuth(1.0)
     pictures.append(take_picture(view, f"{name}-swept-{PROCESSES}"))
     if name == "surface":
         counts = list(statistic(display, "RouteCounts"))
@@ -112,13 +114,13 @@ def draw(name, source, isovalues, fxaa=0, array=None, **settings):
 
 def labels(wavelet):
     """Parts of an image, as faces and smooth; one is hidden."""
-    parts = make_parts(wavelet)
+    parts = make_labels(wavelet)
     table = GetColorTransferFunction("Parts")
     table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 5.0, 1.0, 1.0, 0.0]
     look = {"array": ("POINTS", "Parts"), "SurfaceMode": "Labels", "LookupTable": table}
     draw("labels", parts, [], LabelOpacities=[4.0, 0.0], **look)
     draw("labels-smooth", parts, [], LabelRadius=2.5, LabelOpacities=[4.0, 0.0], **look)
-    cells = make_parts(PointDatatoCellData(Input=wavelet))
+    cells = make_labels(PointDatatoCellData(Input=wavelet))
     cells.AttributeType, cells.Function = "Cell Data", "floor(max(RTData-130,0)/27)"
     look["array"] = ("CELLS", "Parts")
     draw("labels-cells", cells, [], LabelRadius=1.5, **look)

@@ -41,7 +41,7 @@ def make_wavelet(last=20):
     return Wavelet(WholeExtent=[-last, last] * 3)
 
 
-def make_parts(source):
+def make_labels(source):
     """Labels 1 to 5, shells of a wavelet, cut open; 0 is around them."""
     return Calculator(Input=source, Function="if(coordsZ>1, 0, floor(max(RTData-130,0)/27))",
                       ResultArrayName="Parts", ResultArrayType="Int")

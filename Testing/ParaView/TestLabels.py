@@ -6,7 +6,7 @@ import numpy as np
 
 from BruteForce import LabelMap, rays_of
 from Stage import (ColorBy, GetColorTransferFunction, GetOpacityTransferFunction, Render, Show, check,
-                   check_same, count_different, look_from, make_parts, make_view, make_wavelet, samples_of,
+                   check_same, count_different, look_from, make_labels, make_view, make_wavelet, samples_of,
                    statistic, take_final_picture, take_picture)
 
 SIZE = 160
@@ -151,7 +151,7 @@ def test_reuse(view, display):
 def main():
     """All of it."""
     view = make_view((SIZE, SIZE))
-    source = make_parts(make_wavelet(15))
+    source = make_labels(make_wavelet(15))
     source.UpdatePipeline()
     display, table = show_labels(source, view)
     compared = Comparison(view, LabelMap(*samples_of(source, "Parts")))

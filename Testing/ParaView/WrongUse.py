@@ -5,7 +5,7 @@
 import os
 
 from Stage import (ColorBy, Hide, ProgrammableSource, Render, Show, Tetrahedralize,
-                   look_from, make_parts, make_view, make_wavelet, show, statistic, take_picture)
+                   look_from, make_labels, make_view, make_wavelet, show, statistic, take_picture)
 
 NO_ARRAYS = """
 self.GetOutputDataObject(0).SetDimensions(5, 5, 5)
@@ -54,7 +54,7 @@ def wrong_labels(view, display):
     Hide(display.Input, view)
 
     begin("labels of a mesh")
-    parts = make_parts(make_wavelet())
+    parts = make_labels(make_wavelet())
     mesh = show(Tetrahedralize(Input=parts), view, [], ("POINTS", "Parts"))
     mesh.SurfaceMode = "Labels"
     turn(view)

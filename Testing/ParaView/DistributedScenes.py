@@ -86,6 +86,13 @@ def make_parts(kind):
     return source
 
 
+def sweep(view, display, isovalues, factor):
+    """Other isovalues; labels have none, and are seen from elsewhere."""
+    display.Isovalues = [value * factor for value in isovalues]
+    if not isovalues:
+        view.GetActiveCamera().Azimuth(1.0)
+
+
 def draw(name, source, isovalues, fxaa=0, array=None, **settings):
     """One scene, moved and with a new isovalue, so that what is kept is used again: two pictures."""
     view = make_view()
@@ -97,11 +104,9 @@ def draw(name, source, isovalues, fxaa=0, array=None, **settings):
     Render(view)
     view.GetActiveCamera().Azimuth(2.0)
     pictures = [take_picture(view, f"{name}-{PROCESSES}")]
-    for factor in (1.01, 1.02):
-        Render(view)
-        display.Isovalues = [value * factor for value in isovalues]
-        if not isovalues:  # labels have none
-            view.GetActiveCamera().Azimuth(1.0)
+    sweep(view, display, isovalues, 1.01)
+    Render(view)
+    sweep(view, display, isovalues, 1.02)
     pictures.append(take_picture(view, f"{name}-swept-{PROCESSES}"))
     if name == "surface":
         counts = list(statistic(display, "RouteCounts"))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The truth, in NumPy: isosurfaces of a trilinear field, found on every ray in every cell.
+"""The truth, in NumPy: isosurfaces of a trilinear field, and label maps, on every ray in every cell.
 
 It shares no code with the library. Each ray is cut at all planes between cells; between two cuts the
 field is a cubic of the distance, which is sampled at five places, which tells it wholly.
@@ -105,3 +105,44 @@ class Field:
     def _at(self, begins, steps, places):
         return self._interpolate(
             self.samples, begins[:, None, :] + places[..., None] * steps[:, None, :])
+
+
+class LabelMap:
+    """Labels [i, j, k] at origin + spacing * (i, j, k); a point has the label of the nearest sample."""
+
+    def __init__(self, labels, origin, spacing):
+        self.labels = labels
+        self.origin = np.array(origin, float)
+        self.spacing = np.array(spacing, float)
+
+    def composite(self, origins, directions, looks):
+        """Colours on rays: those of the labels that a ray enters, from front to back.
+
+        looks: red, green, blue and opacity of each label that is drawn."""
+        begins, steps = (origins - self.origin) / self.spacing, directions / self.spacing
+        cuts = self._cut(begins, steps)
+        last = np.full(len(begins), np.iinfo(int).min)
+        colors, passed = np.zeros((len(begins), 3)), np.ones(len(begins))
+        for near, far in zip(cuts[:-1], cuts[1:]):
+            places = np.rint(begins + (0.5 * (near + far))[:, None] * steps).astype(int)
+            places = np.clip(places, 0, np.array(self.labels.shape) - 1)
+            is_in = far - near > 1e-9
+            label = np.where(is_in, self.labels[tuple(places.T)], last)
+            for drawn, look in looks.items():
+                opacity = passed * look[3] * ((label == drawn) & (last != drawn))
+                colors += opacity[:, None] * np.array(look[:3])
+                passed -= opacity
+            last = label
+        return colors
+
+    def _cut(self, begins, steps):
+        """Distances at which rays come to other samples, ascending, within the box."""
+        ends = np.array(self.labels.shape) - 1.0
+        with np.errstate(divide="ignore", invalid="ignore"):
+            first, last = (0.0 - begins) / steps, (ends - begins) / steps
+            enter = np.maximum(np.nanmax(np.minimum(first, last), axis=1), 0.0)
+            leave = np.maximum(np.nanmin(np.maximum(first, last), axis=1), enter)
+            passes = [(place - begins[:, axis]) / steps[:, axis]
+                      for axis in range(3) for place in np.arange(ends[axis]) + 0.5]
+        passes = [np.clip(np.nan_to_num(cut, nan=0.0), enter, leave) for cut in passes]
+        return np.sort(np.array([enter, leave, *passes]), axis=0)

@@ -11,10 +11,10 @@ import os
 from paraview import servermanager
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from Stage import (AMRGaussianPulseSource, Calculator, CreateWriter, Delete, GroupDatasets,
-                   HierarchicalFractal, LegacyVTKReader, OpenDataFile, PointDatatoCellData,
+from Stage import (AMRGaussianPulseSource, Calculator, CreateWriter, Delete, GetColorTransferFunction,
+                   GroupDatasets, HierarchicalFractal, LegacyVTKReader, OpenDataFile, PointDatatoCellData,
                    ProgrammableFilter, ProgrammableSource, Render, SaveData, Tetrahedralize,
-                   Transform, check, check_same, count_different, look_from, make_view,
+                   Transform, check, check_same, count_different, look_from, make_labels, make_view,
                    make_wavelet, show, statistic, take_picture)
 
 PROCESSES = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
@@ -86,6 +86,13 @@ def make_parts(kind):
     return source
 
 
+def sweep(view, display, isovalues, factor):
+    """Other isovalues; labels have none, and are seen from elsewhere."""
+    display.Isovalues = [value * factor for value in isovalues]
+    if not isovalues:
+        view.GetActiveCamera().Azimuth(1.0)
+
+
 def draw(name, source, isovalues, fxaa=0, array=None, **settings):
     """One scene, moved and with a new isovalue, so that what is kept is used again: two pictures."""
     view = make_view()
@@ -97,9 +104,9 @@ def draw(name, source, isovalues, fxaa=0, array=None, **settings):
     Render(view)
     view.GetActiveCamera().Azimuth(2.0)
     pictures = [take_picture(view, f"{name}-{PROCESSES}")]
-    display.Isovalues = [value * 1.01 for value in isovalues]
+    sweep(view, display, isovalues, 1.01)
     Render(view)
-    display.Isovalues = [value * 1.02 for value in isovalues]
+    sweep(view, display, isovalues, 1.02)
     pictures.append(take_picture(view, f"{name}-swept-{PROCESSES}"))
     if name == "surface":
         counts = list(statistic(display, "RouteCounts"))
@@ -108,6 +115,36 @@ def draw(name, source, isovalues, fxaa=0, array=None, **settings):
     Delete(display)
     Delete(view)
     return pictures
+
+
+def labels():
+    """Parts of an image, as faces and smooth; one is hidden.
+
+    Smooth ones ask the source for more ghost cells, which it keeps. With an odd number of layers,
+    Tetrahedralize divides the cells of a part otherwise. So this source is not that of the meshes."""
+    wavelet = make_wavelet()
+    parts = make_labels(wavelet)
+    table = GetColorTransferFunction("Parts")
+    table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 5.0, 1.0, 1.0, 0.0]
+    look = {"array": ("POINTS", "Parts"), "SurfaceMode": "Labels", "LookupTable": table}
+    draw("labels", parts, [], LabelOpacities=[4.0, 0.0], **look)
+    draw("labels-smooth", parts, [], LabelRadius=2.5, LabelOpacities=[4.0, 0.0], **look)
+    cells = make_labels(PointDatatoCellData(Input=wavelet))
+    cells.AttributeType, cells.Function = "Cell Data", "floor(max(RTData-130,0)/27)"
+    look["array"] = ("CELLS", "Parts")
+    draw("labels-cells", cells, [], LabelRadius=1.5, **look)
+
+
+def second_arrays(wavelet):
+    """Surfaces in the colours of another array; the blocks of a translucent mesh are merged."""
+    table = GetColorTransferFunction("Height")
+    table.RGBPoints = [-20.0, 0.0, 0.0, 1.0, 20.0, 1.0, 1.0, 0.0]
+    coloured = Calculator(Input=wavelet, Function="coordsZ", ResultArrayName="Height")
+    look = {"array": ("POINTS", "Height"), "SurfaceArrayName": ["POINTS", "RTData"], "LookupTable": table}
+    draw("coloured", coloured, [150.0], **look)
+    mesh = Tetrahedralize(Input=coloured)
+    blocks = GroupDatasets(Input=[mesh, Transform(Input=mesh)])
+    draw("translucent-coloured-blocks", blocks, [120.0, 200.0], Opacity=0.4, **look)
 
 
 def meshes(wavelet):
@@ -237,6 +274,8 @@ def main():
     draw("cropped", wavelet, [120.0], SurfaceMode="Threshold", UseCropping=1,
          CroppingOrigin=[3.0, 0.0, 0.0], CroppingScale=[0.6, 0.7, 0.8])
     draw("cells", PointDatatoCellData(Input=wavelet), [150.0])
+    labels()
+    second_arrays(wavelet)
     meshes(wavelet)
     adaptive_grids()
     files()

@@ -5,6 +5,7 @@
 import os
 
 import numpy as np
+from paraview import servermanager
 from paraview.simple import *  # noqa: F401,F403 as ParaView's own scripts do
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -40,6 +41,12 @@ def make_wavelet(last=20):
     return Wavelet(WholeExtent=[-last, last] * 3)
 
 
+def make_labels(source):
+    """Labels 1 to 5, shells of a wavelet, cut open; 0 is around them."""
+    return Calculator(Input=source, Function="if(coordsZ>1, 0, floor(max(RTData-130,0)/27))",
+                      ResultArrayName="Parts", ResultArrayType="Int")
+
+
 def show(source, view, isovalues, array=None):
     """Show a source as a Temporal Isosurface in white, of an array or of the first one."""
     display = Show(source, view)
@@ -49,6 +56,15 @@ def show(source, view, isovalues, array=None):
     display.DiffuseColor = [1.0, 1.0, 1.0]
     display.Isovalues = isovalues
     return display
+
+
+def samples_of(source, array):
+    """Samples [i, j, k] of a source's image, its origin and its spacing."""
+    image = servermanager.Fetch(source)
+    samples = vtk_to_numpy(image.GetPointData().GetArray(array))
+    samples = samples.reshape(image.GetDimensions()[::-1]).transpose(2, 1, 0)
+    spacing = np.array(image.GetSpacing())
+    return samples, np.array(image.GetOrigin()) + spacing * image.GetExtent()[::2], spacing
 
 
 def look_from(view, azimuth=30.0, elevation=25.0, zoom=1.4):

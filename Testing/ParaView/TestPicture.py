@@ -3,24 +3,13 @@
 """ParaView's picture against a brute-force tracer in NumPy: silhouettes and shades."""
 
 import numpy as np
-from paraview import servermanager
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from BruteForce import Field, rays_of
-from Stage import (AddLight, Delete, Render, check, look_from, make_view, make_wavelet, show, take_picture)
+from Stage import (AddLight, Delete, Render, check, look_from, make_view, make_wavelet, samples_of, show,
+                   take_picture)
 
 SIZE = 160
 MOST_WRONG = 0.0005  # of the pixels: the truth may overlook two crossings close together
-
-
-def field_of(source):
-    """The samples of a source's image."""
-    image = servermanager.Fetch(source)
-    samples = vtk_to_numpy(image.GetPointData().GetArray("RTData"))
-    samples = samples.reshape(image.GetDimensions()[::-1]).transpose(2, 1, 0)
-    extent = image.GetExtent()
-    spacing = np.array(image.GetSpacing())
-    return Field(samples, np.array(image.GetOrigin()) + spacing * extent[::2], spacing)
 
 
 def compare(name, view, display, field, is_solid):
@@ -58,7 +47,7 @@ def main():
     AddLight(view).Coords = "Headlight"
     source = make_wavelet(15)
     source.UpdatePipeline()
-    field = field_of(source)
+    field = Field(*samples_of(source, "RTData"))
     for name, isovalue, is_parallel, is_solid in (
             ("perspective", 150.0, 0, False), ("parallel", 180.0, 1, False),
             ("solid", 120.0, 0, True)):

@@ -4,8 +4,8 @@
 
 import os
 
-from Stage import (ColorBy, Hide, ProgrammableSource, Render, Show, look_from,
-                   make_view, make_wavelet, show, statistic, take_picture)
+from Stage import (ColorBy, Hide, ProgrammableSource, Render, Show, Tetrahedralize,
+                   look_from, make_labels, make_view, make_wavelet, show, statistic, take_picture)
 
 NO_ARRAYS = """
 self.GetOutputDataObject(0).SetDimensions(5, 5, 5)
@@ -37,6 +37,50 @@ def say(line):
 def begin(name):
     """Name what follows."""
     say(f"case: {name}")
+
+
+def turn(view):
+    """Render twice, as a mistake is to be reported once."""
+    for azimuth in (1.0, 1.0):
+        view.GetActiveCamera().Azimuth(azimuth)
+        Render(view)
+
+
+def wrong_labels(view, display):
+    """What cannot be labels, and labels that processes cannot draw together."""
+    begin("fractions")
+    display.SurfaceMode, display.Opacity = "Labels", 1.0
+    turn(view)
+    Hide(display.Input, view)
+
+    begin("labels of a mesh")
+    parts = make_labels(make_wavelet())
+    mesh = show(Tetrahedralize(Input=parts), view, [], ("POINTS", "Parts"))
+    mesh.SurfaceMode = "Labels"
+    turn(view)
+    Hide(mesh.Input, view)
+
+    begin("translucent labels")
+    labels = show(parts, view, [], ("POINTS", "Parts"))
+    labels.SurfaceMode, labels.LabelOpacities = "Labels", [3.0, 0.5]
+    turn(view)
+    say(f"labels seen: {bool(take_picture(view, 'labels-seen').max() > 0)}")
+    Hide(parts, view)
+
+
+def wrong_second_array(view, display):
+    """An array for surfaces or for colours that is not there."""
+    begin("no colours")
+    display.SurfaceMode, display.Visibility = "Crossing", 1
+    display.SurfaceArrayName = ["POINTS", "RTData"]
+    ColorBy(display, ("POINTS", "Nonsense"))
+    turn(view)
+
+    begin("no surfaces")
+    display.SurfaceArrayName = ["POINTS", "Nonsense"]
+    ColorBy(display, ("POINTS", "RTData"))
+    turn(view)
+    display.SurfaceArrayName = ["POINTS", "None"]
 
 
 def main():
@@ -80,6 +124,9 @@ def main():
     display.SurfaceMode, display.Opacity = "Threshold", 0.5
     Render(view)
     Render(view)
+
+    wrong_labels(view, display)
+    wrong_second_array(view, display)
 
     begin("well again")
     display.SurfaceMode, display.Opacity = "Crossing", 1.0

@@ -261,6 +261,17 @@ check_wrong_use() # PROCESSES
   [ "$1" -eq 1 ] ||
     check "wrong use, $1 process(es): a translucent solid" says_once "$said" 'translucent solid' \
       "Translucent solids show where processes' parts are cut; choose the SurfaceMode Crossing"
+  check "wrong use, $1 process(es): floats as labels" says_once "$said" fractions \
+    "'RTData' cannot be drawn as labels, which are whole numbers on an image"
+  check "wrong use, $1 process(es): a mesh as labels" says_once "$said" 'labels of a mesh' \
+    "'Parts' cannot be drawn as labels, which are whole numbers on an image"
+  check "wrong use, $1 process(es): no array for colours" says_once "$said" 'no colours' \
+    "The input has no point array 'Nonsense'; choose one that it has with ColorBy: ('POINTS', 'RTData')."
+  check "wrong use, $1 process(es): no array for surfaces" says_once "$said" 'no surfaces' \
+    "The input has no point array 'Nonsense'; choose one that it has with SurfaceArrayName: "
+  [ "$1" -eq 1 ] ||
+    check "wrong use, $1 process(es): translucent labels" says_once "$said" 'translucent labels' \
+      "Translucent labels show where processes' parts are cut; give each label an opacity of 0 or 1."
   check "wrong use, $1 process(es): then all is well again" grep -q '^seen: True' "$said"
   check "wrong use, $1 process(es): an image without arrays" says_once "$said" 'no array' \
     "The input has no array of numbers; give it one"
@@ -325,6 +336,8 @@ start_display
 run_checks 1 TestPicture.py
 run_checks 1 TestReuse.py
 run_checks 1 TestProperties.py
+run_checks 1 TestLabels.py
+run_checks 1 TestSurfaceArray.py
 run_checks 1 TestRecipe.py
 for processes in 1 2 4; do
   run_checks "$processes" DistributedScenes.py

@@ -286,6 +286,13 @@ void AddRanges(vtkDataArray* array, DistributedPart& part)
   merge(part.Lengths, range);
 }
 
+/// True if an array could name parts of a data set. Labels are drawn of images only.
+bool CouldBeLabels(vtkDataArray* array, vtkDataSet* dataSet)
+{
+  const int type = array->GetDataType();
+  return vtkImageData::SafeDownCast(dataSet) && type != VTK_FLOAT && type != VTK_DOUBLE;
+}
+
 /// Put together what all processes know: the bounds and ranges of the whole.
 void Reduce(DistributedPart& part, vtkMultiProcessController* controller)
 {
@@ -309,6 +316,7 @@ void Reduce(DistributedPart& part, vtkMultiProcessController* controller)
   {
     put(range[0], range[1]);
   }
+  mine.push_back(part.HoldsLabels ? 1.0 : 0.0);
   all = mine;
   controller->AllReduce(
     mine.data(), all.data(), static_cast<vtkIdType>(mine.size()), vtkCommunicator::MIN_OP);
@@ -326,19 +334,12 @@ void Reduce(DistributedPart& part, vtkMultiProcessController* controller)
   }
   part.Lengths = part.Ranges.back();
   part.Ranges.pop_back();
+  part.HoldsLabels = all.back() > 0.0;
 }
 
 }
 
 constexpr DistributedPart::Interval DistributedPart::Nothing;
-
-vtkDataArray* ArrayChoice::In(vtkDataSet* dataSet) const
-{
-  vtkDataSetAttributes* attributes = this->IsOnCells
-    ? static_cast<vtkDataSetAttributes*>(dataSet->GetCellData())
-    : dataSet->GetPointData();
-  return this->Name.empty() ? nullptr : attributes->GetArray(this->Name.c_str());
-}
 
 void DistributedPart::WriteTo(vtkDataObject* data) const
 {
@@ -354,6 +355,7 @@ void DistributedPart::WriteTo(vtkDataObject* data) const
   numbers->InsertNextValue(this->IsCut ? 1.0 : 0.0);
   numbers->InsertNextValue(this->Lengths[0]);
   numbers->InsertNextValue(this->Lengths[1]);
+  numbers->InsertNextValue(this->HoldsLabels ? 1.0 : 0.0);
   for (const Interval& range : this->Ranges)
   {
     numbers->InsertNextValue(range[0]);
@@ -367,7 +369,7 @@ DistributedPart DistributedPart::ReadFrom(vtkDataObject* data)
   DistributedPart part;
   auto* numbers =
     data ? vtkDoubleArray::SafeDownCast(data->GetFieldData()->GetArray(DescriptionName)) : nullptr;
-  constexpr vtkIdType fixedNumbers = 21;
+  constexpr vtkIdType fixedNumbers = 22;
   if (!numbers || numbers->GetNumberOfTuples() < fixedNumbers)
   {
     return part;
@@ -387,16 +389,12 @@ DistributedPart DistributedPart::ReadFrom(vtkDataObject* data)
   part.Crop = boxAt(12);
   part.IsCut = number[18] != 0.0;
   part.Lengths = { { number[19], number[20] } };
+  part.HoldsLabels = number[21] != 0.0;
   for (vtkIdType i = fixedNumbers; i + 1 < numbers->GetNumberOfTuples(); i += 2)
   {
     part.Ranges.push_back({ { number[i], number[i + 1] } });
   }
   return part;
-}
-
-std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data)
-{
-  return vtkCompositeDataSet::GetDataSets<vtkDataSet>(data);
 }
 
 bool HasVolume(vtkDataSet* dataSet)
@@ -430,7 +428,7 @@ bool HasVolume(vtkDataSet* dataSet)
   return false;
 }
 
-NeededData WithGhostCells(vtkDataObject* input, vtkMultiProcessController* controller)
+NeededData WithGhostCells(vtkDataObject* input, int layers, vtkMultiProcessController* controller)
 {
   const std::vector<vtkDataSet*> dataSets = DataSetsOf(input);
   const auto has = [&](bool (*what)(vtkDataSet*))
@@ -457,7 +455,7 @@ NeededData WithGhostCells(vtkDataObject* input, vtkMultiProcessController* contr
   vtkNew<vtkGhostCellsGenerator> generator;
   generator->SetController(controller);
   generator->BuildIfRequiredOff();
-  generator->SetNumberOfGhostLayers(NumberOfGhostLayers);
+  generator->SetNumberOfGhostLayers(layers);
   generator->SetInputDataObject(input);
   generator->Update();
   copy->ShallowCopy(generator->GetOutputDataObject(0));
@@ -485,6 +483,7 @@ DistributedPart Describe(
     if (vtkDataArray* array = choice.In(dataSet))
     {
       AddRanges(array, part);
+      part.HoldsLabels = part.HoldsLabels && !isAdaptive && CouldBeLabels(array, dataSet);
     }
     if (choice.IsOnCells && !IsMesh(dataSet) && !isAdaptive)
     {

@@ -3,26 +3,17 @@
 #ifndef DistributedPart_h
 #define DistributedPart_h
 
+#include "InputArrays.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
-class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
 class vtkMultiProcessController;
-
-/// A point or cell array, by name; without a name none.
-struct ArrayChoice
-{
-  std::string Name;
-  bool IsOnCells = false;
-
-  vtkDataArray* In(vtkDataSet* dataSet) const;
-};
 
 /// What a process has to know of its part of a distributed volume, and of the whole.
 struct DistributedPart
@@ -36,22 +27,20 @@ struct DistributedPart
   vtkBoundingBox Crop;          ///< if it is cut: where, along the axes of the image
   std::vector<Interval> Ranges; ///< finite values of each component in all processes
   Interval Lengths = Nothing;   ///< of its tuples
+  bool HoldsLabels = true;      ///< in all processes, they are whole numbers on images
 
   /// The data is delivered, and may be kept for an animation: so is what describes it.
   void WriteTo(vtkDataObject* data) const;
   static DistributedPart ReadFrom(vtkDataObject* data);
 };
 
-/// The data sets of a data object: itself, or its leaves.
-std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
-
 /// True unless all cells of a data set are of less than three dimensions. The mapper takes data
 /// without volume for a mistake, but a process may well have none of the cells.
 bool HasVolume(vtkDataSet* dataSet);
 
-/// Layers of cells beyond the own: one for gradients, and one more for scalars of cells, whose
-/// samples lie half a cell farther inside.
-constexpr int NumberOfGhostLayers = 2;
+/// Layers of cells beyond the own that surfaces need: one for gradients, and one more for scalars
+/// of cells, whose samples lie half a cell farther inside.
+constexpr int LeastGhostLayers = 2;
 
 /// What a process needs to draw its part.
 struct NeededData
@@ -67,7 +56,8 @@ struct NeededData
 /// A copy, as shallow as can be, that has ghost cells wherever another process goes on; of an
 /// adaptive grid, the blocks that fill this process's box and its surroundings.
 /// All processes call this together.
-NeededData WithGhostCells(vtkDataObject* input, vtkMultiProcessController* controller);
+/// \param layers of ghost cells that are made if the input has none
+NeededData WithGhostCells(vtkDataObject* input, int layers, vtkMultiProcessController* controller);
 
 /// Describe the part of this process. Ghost arrays that tell of nothing but layers around a box are
 /// taken away: a box is cut off more cheaply, and has isomaps. Where scalars of cells are chosen,

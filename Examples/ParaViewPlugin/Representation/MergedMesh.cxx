@@ -16,16 +16,20 @@
 namespace
 {
 
-/// Copy the points and cells of a block, with the chosen array and ghost flags of both. Blocks
-/// without flags get empty ones: appending drops each array that some block lacks.
-vtkSmartPointer<vtkDataSet> WithArray(vtkDataSet* block, const ArrayChoice& choice)
+/// Copy the points and cells of a block, with the chosen arrays that it has and ghost flags of
+/// both. Blocks without flags get empty ones: appending drops each array that some block lacks.
+vtkSmartPointer<vtkDataSet> WithArrays(vtkDataSet* block, const std::vector<ArrayChoice>& choices)
 {
   const auto copy = vtkSmartPointer<vtkDataSet>::Take(block->NewInstance());
   copy->CopyStructure(block);
-  vtkDataArray* const array = choice.In(block);
-  (choice.IsOnCells ? static_cast<vtkDataSetAttributes*>(copy->GetCellData())
-                    : copy->GetPointData())
-    ->AddArray(array);
+  for (const ArrayChoice& choice : choices)
+  {
+    if (vtkDataArray* array = choice.In(block))
+    {
+      copy->GetAttributes(choice.IsOnCells ? vtkDataObject::CELL : vtkDataObject::POINT)
+        ->AddArray(array);
+    }
+  }
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
     vtkDataArray* flags =
@@ -45,10 +49,11 @@ vtkSmartPointer<vtkDataSet> WithArray(vtkDataSet* block, const ArrayChoice& choi
 
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> Merge(vtkDataObject* blocks, const ArrayChoice& choice)
+vtkSmartPointer<vtkUnstructuredGrid> Merge(
+  vtkDataObject* blocks, const std::vector<ArrayChoice>& choices)
 {
   const std::vector<vtkDataSet*> dataSets = DataSetsOf(blocks);
-  const auto hasArray = [&](vtkDataSet* dataSet) { return choice.In(dataSet) != nullptr; };
+  const auto hasArray = [&](vtkDataSet* dataSet) { return choices.front().In(dataSet) != nullptr; };
   const bool isThere = std::any_of(dataSets.begin(), dataSets.end(), hasArray);
   vtkNew<vtkAppendFilter> append;
   bool isEmpty = true;
@@ -57,7 +62,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Merge(vtkDataObject* blocks, const ArrayCho
     if (dataSet->GetNumberOfCells() > 0 && (!isThere || hasArray(dataSet)))
     {
       append->AddInputData(
-        isThere ? WithArray(dataSet, choice) : vtkSmartPointer<vtkDataSet>(dataSet));
+        isThere ? WithArrays(dataSet, choices) : vtkSmartPointer<vtkDataSet>(dataSet));
       isEmpty = false;
     }
   }

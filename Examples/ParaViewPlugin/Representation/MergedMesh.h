@@ -7,9 +7,10 @@
 
 class vtkUnstructuredGrid;
 
-/// All blocks that have an array as one mesh with this array alone; if none has it, all blocks with
-/// what they have in common. ParaView exchanges cells of meshes between processes, but loses those
-/// of blocks.
-vtkSmartPointer<vtkUnstructuredGrid> Merge(vtkDataObject* blocks, const ArrayChoice& choice);
+/// All blocks that have the first of some arrays as one mesh, with those of these arrays that they
+/// have in common; if none has it, all blocks with what they have in common. ParaView exchanges
+/// cells of meshes between processes, but loses those of blocks.
+vtkSmartPointer<vtkUnstructuredGrid> Merge(
+  vtkDataObject* blocks, const std::vector<ArrayChoice>& choices);
 
 #endif

@@ -5,7 +5,6 @@
 #include "DistributedPart.h"
 #include "MergedMesh.h"
 
-#include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
@@ -21,13 +20,13 @@
 #include "vtkPVRenderView.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTemporalCoherenceRefiner.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 #include "vtkTemporalIsosurfaceActor.h"
+#include "vtkTemporalIsosurfaceLabelTable.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkUnstructuredGrid.h"
@@ -47,67 +46,6 @@ namespace
 
 constexpr vtkIdType NumberOfRoutes =
   vtkTemporalCoherenceVolumeMapper::ROUTE_REFINE + 1; // the last one
-
-/// Arrays of numbers that could be drawn.
-std::vector<vtkDataArray*> ArraysIn(vtkDataSetAttributes* attributes)
-{
-  std::vector<vtkDataArray*> arrays;
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = attributes->GetArray(i);
-    const char* name = array ? array->GetName() : nullptr;
-    if (name && std::string(name) != vtkDataSetAttributes::GhostArrayName())
-    {
-      arrays.push_back(array);
-    }
-  }
-  return arrays;
-}
-
-/// The scalars that a data set calls its own, or the first numbers that it has.
-ArrayChoice FirstScalars(vtkDataSet* dataSet)
-{
-  for (const bool onCells : { false, true })
-  {
-    vtkDataSetAttributes* attributes = onCells
-      ? static_cast<vtkDataSetAttributes*>(dataSet->GetCellData())
-      : dataSet->GetPointData();
-    vtkDataArray* found = attributes->GetScalars();
-    const std::vector<vtkDataArray*> arrays = ArraysIn(attributes);
-    if (!(found && found->GetName()) && !arrays.empty())
-    {
-      found = arrays.front();
-    }
-    if (found && found->GetName())
-    {
-      return { found->GetName(), onCells };
-    }
-  }
-  return {};
-}
-
-/// The names of the arrays that could be chosen, for a message.
-std::string NamesIn(vtkDataObject* data)
-{
-  std::set<std::string> names;
-  for (vtkDataSet* dataSet : DataSetsOf(data))
-  {
-    for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
-    {
-      for (vtkDataArray* array : ArraysIn(dataSet->GetAttributes(association)))
-      {
-        names.insert(std::string("('") + (association == vtkDataObject::CELL ? "CELLS" : "POINTS") +
-          "', '" + array->GetName() + "')");
-      }
-    }
-  }
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
 
 bool IsAlone(vtkMultiProcessController* controller)
 {
@@ -129,6 +67,7 @@ vtkTemporalIsosurfaceRepresentation::vtkTemporalIsosurfaceRepresentation()
   mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, this,
     &vtkTemporalIsosurfaceRepresentation::TakeStatistics);
   mapper->WarnOfIsovaluesOff(); // it knows one process's samples: see ShowIsovalues
+  mapper->SetLabelTable(this->LabelTable);
   this->VolumeMapper = mapper;
   this->Actor = vtkSmartPointer<vtkTemporalIsosurfaceActor>::New();
   this->Actor->SetProperty(this->Property);
@@ -215,7 +154,7 @@ int vtkTemporalIsosurfaceRepresentation::RequestUpdateExtent(
   if (input && controller && controller->GetNumberOfProcesses() > 1)
   {
     input->Set(
-      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), NumberOfGhostLayers);
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), this->CountGhostLayers());
   }
   return 1;
 }
@@ -232,16 +171,18 @@ int vtkTemporalIsosurfaceRepresentation::RequestData(
   DistributedPart part;
   if (input)
   {
-    NeededData needed = WithGhostCells(input, controller);
+    NeededData needed = WithGhostCells(input, this->CountGhostLayers(), controller);
     const bool areExchanged = needed.HasMeshes && this->IsTranslucent() && !IsAlone(controller);
     if (areExchanged && vtkCompositeDataSet::SafeDownCast(needed.Data))
     {
-      needed.Data = Merge(needed.Data, this->ChooseArray(needed.Data));
+      needed.Data =
+        Merge(needed.Data, { this->ChooseArray(needed.Data), this->ArrayChosenFor(ColorArray) });
     }
     this->HasMeshes = needed.HasMeshes;
     this->Cache = needed.Data;
     part = Describe(needed, this->ChooseArray(this->Cache), controller);
     part.WriteTo(this->Cache);
+    this->NumberOfComponents = static_cast<int>(part.Ranges.size());
     this->DataSize = this->Cache->GetActualMemorySize();
     this->Actor->SetEnableLOD(0);
   }
@@ -286,21 +227,15 @@ int vtkTemporalIsosurfaceRepresentation::ProcessViewRequest(
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalIsosurfaceRepresentation::IsColoredByArray()
-{
-  vtkInformation* info = this->GetInputArrayInformation(0);
-  const char* name = info ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-  return name && name[0];
-}
-
-//------------------------------------------------------------------------------
 ArrayChoice vtkTemporalIsosurfaceRepresentation::ChooseArray(vtkDataObject* data)
 {
-  if (this->IsColoredByArray())
+  for (const int index : { SurfaceArray, ColorArray })
   {
-    vtkInformation* info = this->GetInputArrayInformation(0);
-    return { info->Get(vtkDataObject::FIELD_NAME()),
-      info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS };
+    const ArrayChoice chosen = this->ArrayChosenFor(index);
+    if (!chosen.Name.empty())
+    {
+      return chosen;
+    }
   }
   for (vtkDataSet* dataSet : DataSetsOf(data))
   {
@@ -326,45 +261,75 @@ void vtkTemporalIsosurfaceRepresentation::UpdateMapperParameters()
   const DistributedPart part = DistributedPart::ReadFrom(data);
   const std::vector<vtkDataSet*> dataSets = DataSetsOf(data);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  this->Actor->SetVisibility(std::any_of(dataSets.begin(), dataSets.end(),
-    [&](vtkDataSet* dataSet)
-    { return choice.In(dataSet) != nullptr && (IsAlone(controller) || HasVolume(dataSet)); }));
   this->ShowScalars(choice);
   this->ShowRegion(part);
+  std::string mistake = this->FindMistakeInLabels(part, choice.Name);
+  this->Actor->SetVisibility(mistake.empty() &&
+    std::any_of(dataSets.begin(), dataSets.end(),
+      [&](vtkDataSet* dataSet)
+      { return choice.In(dataSet) != nullptr && (IsAlone(controller) || HasVolume(dataSet)); }));
   if (part.Ranges.empty() && part.Whole.IsValid())
   {
-    const std::string names = NamesIn(data);
+    const bool isOfSurfaces = !this->ArrayChosenFor(SurfaceArray).Name.empty();
     this->ReportOnce(choice.Name.empty()
         ? "The input has no array of numbers; give it one, for example with the filter Calculator."
-        : std::string("The input has no ") + (choice.IsOnCells ? "cell" : "point") + " array '" +
-          choice.Name + "'; choose one that it has with ColorBy: " + names + ".");
+        : SayMissing(choice, data, isOfSurfaces ? "SurfaceArrayName" : "ColorBy"));
     return;
   }
-  std::string mistake = this->ShowIsovalues(this->RangeOfScalars(part), choice.Name);
-  this->ShowColors();
-  if (mistake.empty() && part.IsCut && this->IsTranslucent() &&
-    this->GetMapper()->GetSurfaceMode() == vtkTemporalCoherenceVolumeMapper::THRESHOLD)
+  const std::string mistakeInIsovalues =
+    this->ShowIsovalues(this->RangeOfScalars(part), choice.Name);
+  const std::string mistakeInLooks = this->ShowLooks(data, choice);
+  for (const std::string& other :
+    { mistakeInIsovalues, mistakeInLooks, this->FindMistakeInCuts(part) })
   {
-    mistake =
-      "Translucent solids show where processes' parts are cut; choose the SurfaceMode Crossing, "
-      "or an Opacity of 1 without UseOpacityFunction.";
+    mistake = mistake.empty() ? other : mistake;
   }
   this->ReportOnce(mistake);
 }
 
 //------------------------------------------------------------------------------
-/// Choose array and component; without a lookup table that tells, lengths are drawn of tuples.
+/// \return a sentence about values that cannot be labels; empty if they can, or are none
+std::string vtkTemporalIsosurfaceRepresentation::FindMistakeInLabels(
+  const DistributedPart& part, const std::string& name)
+{
+  const bool areLengths = part.Ranges.size() > 1 &&
+    this->GetMapper()->GetVectorMode() != vtkTemporalCoherenceVolumeMapper::COMPONENT;
+  if (!this->AreLabelsDrawn() || (part.HoldsLabels && !areLengths))
+  {
+    return "";
+  }
+  return "'" + name +
+    "' cannot be drawn as labels, which are whole numbers on an image; choose another array or "
+    "SurfaceMode, or make whole numbers with the filter Calculator (ResultArrayType Int).";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTemporalIsosurfaceRepresentation::FindMistakeInCuts(const DistributedPart& part)
+{
+  const int mode = this->GetMapper()->GetSurfaceMode();
+  if (!part.IsCut || mode == vtkTemporalCoherenceVolumeMapper::CROSSING || !this->IsTranslucent())
+  {
+    return "";
+  }
+  return this->AreLabelsDrawn()
+    ? "Translucent labels show where processes' parts are cut; give each label an opacity of 0 or "
+      "1."
+    : "Translucent solids show where processes' parts are cut; choose the SurfaceMode Crossing, "
+      "or an Opacity of 1 without UseOpacityFunction.";
+}
+
+//------------------------------------------------------------------------------
+/// Choose array and component; where nothing tells the component, lengths are drawn of tuples.
 void vtkTemporalIsosurfaceRepresentation::ShowScalars(const ArrayChoice& choice)
 {
   vtkTemporalCoherenceVolumeMapper* mapper = this->GetMapper();
   mapper->SelectScalarArray(choice.Name.c_str());
   mapper->SetScalarMode(
     choice.IsOnCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-  const bool isComponent = this->Table && this->IsColoredByArray() &&
-    this->Table->GetVectorMode() == vtkScalarsToColors::COMPONENT;
-  mapper->SetVectorComponent(isComponent ? this->Table->GetVectorComponent() : 0);
-  mapper->SetVectorMode(isComponent ? vtkTemporalCoherenceVolumeMapper::COMPONENT
-                                    : vtkTemporalCoherenceVolumeMapper::MAGNITUDE);
+  const int component = this->SurfaceComponent();
+  mapper->SetVectorComponent(std::max(component, 0));
+  mapper->SetVectorMode(component >= 0 ? vtkTemporalCoherenceVolumeMapper::COMPONENT
+                                       : vtkTemporalCoherenceVolumeMapper::MAGNITUDE);
 }
 
 //------------------------------------------------------------------------------
@@ -419,7 +384,9 @@ std::string vtkTemporalIsosurfaceRepresentation::ShowIsovalues(
   const bool isKnown = range[0] <= range[1];
   std::vector<double> shown;
   std::ostringstream outside;
-  for (const double isovalue : this->ChooseIsovalues(range))
+  const std::vector<double> chosen =
+    this->AreLabelsDrawn() ? std::vector<double>() : this->ChooseIsovalues(range);
+  for (const double isovalue : chosen)
   {
     const bool isFinite = std::isfinite(isovalue);
     if (isFinite)
@@ -455,62 +422,6 @@ std::string vtkTemporalIsosurfaceRepresentation::ShowIsovalues(
     }
   }
   return message.str();
-}
-
-//------------------------------------------------------------------------------
-void vtkTemporalIsosurfaceRepresentation::ShowColors()
-{
-  const bool hasTable = this->Table && this->IsColoredByArray();
-  vtkColorTransferFunction* colors = hasTable ? this->Table.Get() : this->SolidColor.Get();
-  const bool usesFunction = this->UseOpacityFunction && this->OpacityFunction;
-  vtkPiecewiseFunction* opacities =
-    usesFunction ? this->OpacityFunction.Get() : this->ConstantOpacity.Get();
-  if (!this->SurfaceLooks.empty())
-  {
-    this->ShowSurfaceLooks(colors, opacities);
-    colors = this->ColorsOfSurfaces;
-    opacities = this->OpacitiesOfSurfaces;
-  }
-  this->Property->SetColor(colors);
-  this->Property->SetScalarOpacity(opacities);
-}
-
-//------------------------------------------------------------------------------
-/// Give the functions of surfaces a node at each isovalue that is drawn. They are left alone if
-/// nothing is new, so that their pictures are used again.
-/// \param colors, opacities of isovalues without a look
-void vtkTemporalIsosurfaceRepresentation::ShowSurfaceLooks(
-  vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacities)
-{
-  std::map<double, Look> looks;
-  const auto count = static_cast<std::size_t>(this->ShownIsovalues->GetNumberOfTuples());
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double isovalue = this->ShownIsovalues->GetValue(static_cast<vtkIdType>(i));
-    Look look;
-    if (i < this->SurfaceLooks.size())
-    {
-      look = this->SurfaceLooks[i];
-    }
-    else
-    {
-      colors->GetColor(isovalue, look.data());
-      look[3] = opacities->GetValue(isovalue);
-    }
-    looks[isovalue] = look;
-  }
-  if (looks == this->LooksInFunctions)
-  {
-    return;
-  }
-  this->LooksInFunctions = looks;
-  this->ColorsOfSurfaces->RemoveAllPoints();
-  this->OpacitiesOfSurfaces->RemoveAllPoints();
-  for (const auto& [isovalue, look] : looks)
-  {
-    this->ColorsOfSurfaces->AddRGBPoint(isovalue, look[0], look[1], look[2]);
-    this->OpacitiesOfSurfaces->AddPoint(isovalue, look[3]);
-  }
 }
 
 //------------------------------------------------------------------------------

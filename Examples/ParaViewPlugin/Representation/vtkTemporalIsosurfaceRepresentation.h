@@ -7,7 +7,7 @@
  * It draws with a vtkTemporalCoherenceVolumeMapper: a vtkImageData, a vtkRectilinearGrid, all
  * images of a composite data set together, as blocks of one lattice, unstructured, curvilinear and
  * adaptive grids, and composites of these. The scalars are the array that
- * is chosen for colouring; where none is, the active scalars, in a solid colour.
+ * is chosen for surfaces; where none is, that for colouring; where none is, the active scalars.
  *
  * In a distributed run each process draws its own part, cut where that of another begins, with
  * ghost cells beyond the cut so that gradients go on. Of grids other than images and rectilinear
@@ -34,6 +34,7 @@ class vtkIdTypeArray;
 class vtkPiecewiseFunction;
 class vtkTemporalCoherenceRefiner;
 class vtkTemporalCoherenceVolumeMapper;
+class vtkTemporalIsosurfaceLabelTable;
 class vtkTextActor;
 struct ArrayChoice;
 struct DistributedPart;
@@ -49,11 +50,18 @@ public:
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
   /**
-   * Choose the array to draw and to colour by.
+   * Choose the array to colour by (index 0) and the one whose surfaces are drawn (index 1; "None"
+   * or
+   * "": that to colour by).
    */
   using Superclass::SetInputArrayToProcess;
   void SetInputArrayToProcess(
     int index, int port, int connection, int association, const char* name) override;
+
+  /**
+   * The component that is drawn of the array of index 1. One that it lacks: the length.
+   */
+  void SetSurfaceArrayComponent(int component);
 
   ///@{
   /**
@@ -71,8 +79,10 @@ public:
 
   ///@{
   /**
-   * Colour is that of the lookup table at the isovalue; without an array to colour by, this one.
-   * Opacity is one number, or (UseOpacityFunction) that of the opacity function at the isovalue.
+   * Colour is that of the lookup table at the isovalue or label or, if another array gives colours,
+   * at this array's value; without an array to colour by, the solid one. Opacity is one number, or
+   * (UseOpacityFunction) that of the opacity function at the isovalue or label, unless another
+   * array gives colours.
    */
   void SetColor(vtkColorTransferFunction* table);
   void SetSolidColor(double red, double green, double blue);
@@ -91,6 +101,15 @@ public:
   void SetSurfaceLook(int i, double red, double green, double blue, double opacity);
   ///@}
 
+  ///@{
+  /**
+   * Labels (SurfaceMode) with an opacity of their own. 0: the label is not drawn. A categorical
+   * lookup table with EnableOpacityMapping gives those of other labels.
+   */
+  void SetNumberOfLabelOpacities(int number);
+  void SetLabelOpacity(int i, double label, double opacity);
+  ///@}
+
   /**
    * Cut off what is outside of a box: that of CroppingOrigin and CroppingScale, which are meant for
    * the bounds of the whole volume.
@@ -102,6 +121,8 @@ public:
    * See vtkTemporalCoherenceVolumeMapper.
    */
   void SetSurfaceMode(int mode);
+  void SetLabelRadius(double samples);
+  void SetOutsideLabel(int label);
   void SetAmbientOcclusion(bool on);
   void SetAmbientOcclusionRadius(double radius);
   void SetAmbientOcclusionStrength(double strength);
@@ -176,20 +197,39 @@ private:
   void operator=(const vtkTemporalIsosurfaceRepresentation&) = delete;
 
   vtkTemporalCoherenceVolumeMapper* GetMapper();
+  bool AreLabelsDrawn();
   bool IsTranslucent();
   void PrepareAgainUnless(bool wasTranslucent);
+  int CountGhostLayers();
+  void AskForGhostLayersUnless(int layersBefore);
+  ArrayChoice ArrayChosenFor(int index);
   bool IsColoredByArray();
+  bool IsColoredBySecondArray();
+  int ColorComponent();
+  int SurfaceComponent();
   ArrayChoice ChooseArray(vtkDataObject* data);
   std::array<double, 2> RangeOfScalars(const DistributedPart& part);
+  std::string FindMistakeInLabels(const DistributedPart& part, const std::string& name);
+  std::string FindMistakeInCuts(const DistributedPart& part);
   void ShowScalars(const ArrayChoice& choice);
   std::vector<double> ChooseIsovalues(const std::array<double, 2>& range);
   std::string ShowIsovalues(const std::array<double, 2>& range, const std::string& name);
-  void ShowColors();
+  std::string ShowLooks(vtkDataObject* data, const ArrayChoice& drawn);
   void ShowSurfaceLooks(vtkColorTransferFunction* colors, vtkPiecewiseFunction* opacities);
+  std::string ShowSecondArray(vtkDataObject* data, const ArrayChoice& drawn);
+  vtkColorTransferFunction* ColorsOfSurfaceArray();
+  vtkPiecewiseFunction* OpacitiesOfSurfaceArray();
+  void UpdateLabelTable();
   void ShowRegion(const DistributedPart& part);
   void ReportOnce(const std::string& message);
   void TakeStatistics(vtkObject* mapper, unsigned long event, void* isMade);
 
+  /// Indices of SetInputArrayToProcess.
+  enum ArrayIndices
+  {
+    ColorArray = 0,
+    SurfaceArray = 1
+  };
   using Look = std::array<double, 4>; ///< red, green, blue, opacity
 
   std::vector<double> Isovalues;
@@ -202,6 +242,10 @@ private:
   vtkSmartPointer<vtkPiecewiseFunction> OpacityFunction;
   vtkNew<vtkColorTransferFunction> SolidColor;
   vtkNew<vtkPiecewiseFunction> ConstantOpacity;
+  std::vector<std::array<double, 2>> LabelOpacities; ///< label, opacity
+  vtkNew<vtkTemporalIsosurfaceLabelTable> LabelTable;
+  int SurfaceArrayComponent = 0;
+  int NumberOfComponents = 1; ///< of the array that is drawn
   vtkNew<vtkColorTransferFunction> ColorsOfSurfaces;
   vtkNew<vtkPiecewiseFunction> OpacitiesOfSurfaces;
   double Opacity = 1.0;

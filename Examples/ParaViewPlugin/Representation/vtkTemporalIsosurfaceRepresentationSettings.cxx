@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalIsosurfaceRepresentation.h"
 
+#include "DistributedPart.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -11,6 +13,7 @@
 #include "vtkTextActor.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -22,6 +25,11 @@ void SetAt(std::vector<Value>& values, int i, const Value& value)
   const auto place = static_cast<std::size_t>(std::max(i, 0));
   values.resize(std::max(values.size(), place + 1));
   values[place] = value;
+}
+
+double ToUnitInterval(double number)
+{
+  return std::min(std::max(0.0, number), 1.0); // in this order NaN is 0
 }
 
 }
@@ -144,7 +152,7 @@ void vtkTemporalIsosurfaceRepresentation::SetSurfaceLook(
   Look look = { red, green, blue, opacity };
   for (double& number : look)
   {
-    number = std::min(std::max(0.0, number), 1.0); // in this order NaN is 0
+    number = ToUnitInterval(number);
   }
   SetAt(this->SurfaceLooks, i, look);
   this->Modified();
@@ -152,11 +160,17 @@ void vtkTemporalIsosurfaceRepresentation::SetSurfaceLook(
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalIsosurfaceRepresentation::IsTranslucent()
+void vtkTemporalIsosurfaceRepresentation::SetNumberOfLabelOpacities(int number)
 {
-  return this->UseOpacityFunction || this->Opacity < 1.0 ||
-    std::any_of(this->SurfaceLooks.begin(), this->SurfaceLooks.end(),
-      [](const Look& look) { return look[3] < 1.0; });
+  this->LabelOpacities.resize(static_cast<std::size_t>(std::max(number, 0)), { 0.0, 1.0 });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetLabelOpacity(int i, double label, double opacity)
+{
+  SetAt(this->LabelOpacities, i, { label, ToUnitInterval(opacity) });
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -177,9 +191,53 @@ void vtkTemporalIsosurfaceRepresentation::SetCropping(int crops)
 }
 
 //------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetSurfaceArrayComponent(int component)
+{
+  this->SurfaceArrayComponent = component;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalIsosurfaceRepresentation::SetSurfaceMode(int mode)
 {
+  const int layersBefore = this->CountGhostLayers();
   this->GetMapper()->SetSurfaceMode(mode);
+  this->AskForGhostLayersUnless(layersBefore);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetLabelRadius(double samples)
+{
+  const int layersBefore = this->CountGhostLayers();
+  this->GetMapper()->SetLabelRadius(samples);
+  this->AskForGhostLayersUnless(layersBefore);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetOutsideLabel(int label)
+{
+  this->GetMapper()->SetOutsideLabel(label);
+}
+
+//------------------------------------------------------------------------------
+/// Smooth labels depend on more samples around a point than other surfaces do.
+int vtkTemporalIsosurfaceRepresentation::CountGhostLayers()
+{
+  constexpr double layersPerRadius = 2.8; // where the mapper cuts off the Gaussian of normals
+  return LeastGhostLayers +
+    (this->AreLabelsDrawn()
+        ? static_cast<int>(std::ceil(layersPerRadius * this->GetMapper()->GetLabelRadius()))
+        : 0);
+}
+
+//------------------------------------------------------------------------------
+/// Several processes ask for ghost cells anew.
+void vtkTemporalIsosurfaceRepresentation::AskForGhostLayersUnless(int layersBefore)
+{
+  if (this->CountGhostLayers() != layersBefore)
+  {
+    this->MarkModified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 
 #include "BlendedPictures.h"
 #include "FeatureScene.h"
+#include "LabelPictures.h"
 #include "LayerPictures.h"
 #include "MeshPictures.h"
 #include "Volumes/Volumes.h"
@@ -382,7 +383,8 @@ const std::vector<Feature>& All()
     { "blocks", Blocks }, { "unstructured", MeshPictures::Unstructured },
     { "curvilinear", MeshPictures::Curvilinear }, { "depth", AmongPolygons }, { "picking", Picked },
     { "no-occlusion", PlainFolds }, { "occlusion", DarkFolds }, { "shadows", Shadows },
-    { "blended", BlendedPictures::Tree }, { "glow", BlendedPictures::Fire } };
+    { "blended", BlendedPictures::Tree }, { "glow", BlendedPictures::Fire },
+    { "labels", LabelPictures::Organs }, { "colors", LabelPictures::Pressure } };
   return features;
 }
 

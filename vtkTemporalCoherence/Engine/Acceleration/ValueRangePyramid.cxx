@@ -151,6 +151,24 @@ void AskKind(const Field& field, const glm::ivec3& place, Range<double>* leaves,
   }
 }
 
+/// The ranges of leaves and of nodes, to be filled.
+template <typename T>
+struct RangesToFill
+{
+  /// Make room in `bytes`.
+  template <typename Room>
+  RangesToFill(std::int64_t nodes, Room& bytes)
+  {
+    constexpr std::int64_t ofNode = ValueRangePyramid::LeavesPerNode + 1;
+    bytes.resize(static_cast<std::size_t>(nodes * ofNode) * sizeof(Range<T>));
+    this->OfLeaves = reinterpret_cast<Range<T>*>(bytes.data());
+    this->OfNodes = this->OfLeaves + nodes * ValueRangePyramid::LeavesPerNode;
+  }
+
+  Range<T>* OfLeaves;
+  Range<T>* OfNodes;
+};
+
 }
 
 void ValueRangePyramid::Build(const Field& field)
@@ -172,10 +190,9 @@ void ValueRangePyramid::Build(const Field& field)
         this->BuildFromLabels<T>(field);
         return;
       }
-      this->Bytes.resize(static_cast<std::size_t>(count * (LeavesPerNode + 1)) * sizeof(Range<T>));
+      const RangesToFill<T> ranges(count, this->Bytes);
+      Range<T>*const leaves = ranges.OfLeaves, *const ofNodes = ranges.OfNodes;
       this->Nodes = nodes;
-      auto* const leaves = reinterpret_cast<Range<T>*>(this->Bytes.data());
-      Range<T>* const ofNodes = leaves + count * LeavesPerNode;
       std::vector<std::uint64_t> withNaN(
         std::is_floating_point_v<T> ? static_cast<std::size_t>(count) : 0);
       Range<T> finite = Empty<T>();
@@ -221,9 +238,8 @@ void ValueRangePyramid::BuildFromLabels(const Field& field)
 {
   this->Nodes = NodesFor(field.Dimensions);
   const std::int64_t count = this->NumberOfNodes();
-  this->Bytes.resize(static_cast<std::size_t>(count * (LeavesPerNode + 1)) * sizeof(Range<T>));
-  auto* const leaves = reinterpret_cast<Range<T>*>(this->Bytes.data());
-  Range<T>* const ofNodes = leaves + count * LeavesPerNode;
+  const RangesToFill<T> ranges(count, this->Bytes);
+  Range<T>*const leaves = ranges.OfLeaves, *const ofNodes = ranges.OfNodes;
   ParallelFor(count, 64,
     [&](std::int64_t node)
     {
@@ -253,9 +269,8 @@ void ValueRangePyramid::BuildFromKind(const Field& field)
   assert(field.Type == ScalarType::Float64);
   this->Nodes = NodesFor(field.Dimensions);
   const std::int64_t count = this->NumberOfNodes();
-  this->Bytes.resize(static_cast<std::size_t>(count * (LeavesPerNode + 1)) * sizeof(Range<double>));
-  auto* const leaves = reinterpret_cast<Range<double>*>(this->Bytes.data());
-  Range<double>* const ofNodes = leaves + count * LeavesPerNode;
+  const RangesToFill<double> ranges(count, this->Bytes);
+  Range<double>*const leaves = ranges.OfLeaves, *const ofNodes = ranges.OfNodes;
   Range<double> finite = Empty<double>();
   std::mutex guard;
   ParallelFor(count, 1,

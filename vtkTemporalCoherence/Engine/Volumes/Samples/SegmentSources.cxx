@@ -214,11 +214,6 @@ private:
   std::vector<CellSamples<T>> Components;
 };
 
-}
-
-namespace
-{
-
 std::unique_ptr<const SegmentSource> MakeWalk(const BlendScene& scene, const GridCoordinates* grid)
 {
   return DispatchScalarType(scene.Key.Samples.Type,

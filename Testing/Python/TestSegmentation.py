@@ -73,6 +73,26 @@ class Segmentation(unittest.TestCase):
         volume.data_changed()
         self.assertTrue((volume.picture((120, 100)).isovalue_index != before).any())
 
+    def test_strokes_are_seen_where_they_are_told(self):
+        labels = balls()
+        volume = segmentation(labels, NAMES, radius=0)
+        volume.picture((120, 100))
+        for where, label in (
+            (numpy.s_[10:14, 8:20, 8:20], 2), (numpy.s_[12, 10:, -20:-3], 9), (numpy.s_[5:2], 1),
+            (numpy.s_[::5, 3], 700), (7, 70)):
+            labels[where] = label
+            volume.data_changed(where)
+            told = volume.picture((120, 100)).isovalue_index
+            new = segmentation(labels, radius=0).picture((120, 100)).isovalue_index
+            self.assertTrue((told == new).all(), where)
+        self.assertEqual(set(volume.shown), {1, 2, 9, 70, 700})
+        labels[3:5, 3:5, 3:5] = 5
+        volume.data_changed()
+        self.assertIn(5, volume.shown)
+        for wrong, error in ((numpy.s_[99], IndexError), ("here", TypeError), ((1, 2, 3, 4), TypeError)):
+            with self.assertRaises(error):
+                volume.data_changed(wrong)
+
     def test_mistakes_are_sentences(self):
         for wrong, error, sentence in (
             (lambda: segmentation(balls().astype(float)), ValueError, "whole numbers"),

@@ -15,6 +15,7 @@ from .given_data import arrays_of, chosen_array, data_object, finite_number
 from .isosurfaces import checked_color
 from .mapper_support import mapper_of
 from .pictures import PicturedVolume
+from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
 
 #: A label, or its name.
 LabelOrName = Union[int, str]
@@ -33,6 +34,7 @@ class SegmentationVolume(PicturedVolume):
     _looks: dict[int, tuple[float, float, float, float]]
     _outside: int
     _shown: set[int]
+    _samples: Any  # the array of VTK
 
     @property
     def labels(self) -> tuple[int, ...]:
@@ -63,6 +65,31 @@ class SegmentationVolume(PicturedVolume):
         """Change the opacity of a label, from 0 to 1."""
         self._keep_opacity(label, opacity)
         self._update()
+
+    def data_changed(self, within: Any = None) -> None:
+        """Tell that labels were written into the array: the next picture shows them.
+
+        within  where, as an index of the array, such as numpy.s_[10:20, 30:40, 5]. None: anywhere.
+                If a stroke's place is told, no other samples are read
+
+        Labels that are new get colours, and are drawn.
+
+        Raises IndexError and TypeError for what is no index of the array.
+        """
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        image = self.GetMapper().GetInputDataObject(0, 0)
+        samples = vtk_to_numpy(self._samples).reshape(image.GetDimensions()[::-1])
+        if within is None:
+            self._samples.Modified()
+        else:
+            _tell_change(image, self._samples, samples.shape, within)
+        new = set(_labels_in(samples if within is None else samples[within]))
+        new -= {self._outside, *self._looks}
+        for label in sorted(new):
+            self._looks[label] = (*_color_of(len(self._looks)), 1.0)
+        if new:
+            self._shown |= new
+            self._update()
 
     def _keep_color(self, label: LabelOrName, color: Any) -> None:
         number = self._label_of(label)
@@ -157,7 +184,8 @@ def segmentation(
     volume.GetProperty().SetShade(lighting)
     volume.GetProperty().SetAmbient(0.1)
     volume.GetProperty().SetDiffuse(0.9)
-    found = [int(label) for label in numpy.unique(samples) if label != outside]
+    found = [label for label in _labels_in(samples) if label != outside]
+    volume._samples = arrays_of(data, name, place)[0]
     volume._outside = int(outside)
     volume._names = {int(label): str(called) for label, called in (names or {}).items()}
     share = 1.0 if isinstance(opacity, Mapping) else _checked_opacity(opacity)
@@ -171,6 +199,31 @@ def segmentation(
         volume._keep_opacity(label, given)
     volume._update()
     return volume
+
+
+def _labels_in(samples: Any) -> list[int]:
+    """All labels of an array, ascending."""
+    import numpy
+    if samples.dtype in (numpy.uint8, numpy.uint16):
+        return numpy.flatnonzero(numpy.bincount(samples.ravel())).tolist()
+    return numpy.unique(samples).tolist()
+
+
+def _tell_change(image: vtkImageData, samples: Any, shape: tuple[int, ...], within: Any) -> None:
+    """Tell the mappers of an image where an array of its points was written, by an index [z, y, x]."""
+    import numpy
+    places = [numpy.arange(count) for count in shape]
+    index = within if isinstance(within, tuple) else (within,)
+    if len(index) > len(shape) or any(
+            not isinstance(part, slice) and not hasattr(part, "__index__") for part in index):
+        raise TypeError(f"within takes slices and numbers for z, y and x, not {within!r}.")
+    extent = list(image.GetExtent())
+    for axis, part in enumerate(index):
+        chosen = numpy.atleast_1d(places[axis][part])
+        first = extent[2 * (2 - axis)]
+        low, high = (chosen.min(), chosen.max()) if chosen.size else (0, -1)
+        extent[2 * (2 - axis):2 * (2 - axis) + 2] = [first + int(low), first + int(high)]
+    vtkTemporalCoherenceVolumeMapper.ModifiedWithin(image, extent, samples)
 
 
 def _color_of(place: int) -> tuple[float, float, float]:

@@ -442,7 +442,7 @@ class Pages(unittest.TestCase):
                 labels[:, :, labels.shape[2] // 2:] *= 2
                 exec(code, {
                     "array": (200.0 * distances()).astype(numpy.float32), "labels": labels,
-                    "temperatures": 280.0 + 40.0 * distances(),
+                    "temperatures": 280.0 + 40.0 * distances(), "numpy": numpy,
                     "segmentation": vtkTemporalCoherence.segmentation})
             finally:
                 os.chdir(before)

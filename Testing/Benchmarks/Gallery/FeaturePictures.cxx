@@ -384,7 +384,7 @@ const std::vector<Feature>& All()
     { "curvilinear", MeshPictures::Curvilinear }, { "depth", AmongPolygons }, { "picking", Picked },
     { "no-occlusion", PlainFolds }, { "occlusion", DarkFolds }, { "shadows", Shadows },
     { "blended", BlendedPictures::Tree }, { "glow", BlendedPictures::Fire },
-    { "labels", LabelPictures::Organs }, { "colors", LabelPictures::Pressure } };
+    { "labels", LabelPictures::Organs }, { "colors", LabelPictures::Methane } };
   return features;
 }
 

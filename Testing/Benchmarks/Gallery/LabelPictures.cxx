@@ -54,11 +54,11 @@ vtkSmartPointer<vtkLookupTable> Table(int most, int veil)
   return table;
 }
 
-/// The pressure of a generated mesh: how far its points lie along an axis.
-void AddPressure(vtkDataSet* mesh)
+/// The methane of a generated mesh: how far its points lie along an axis.
+void AddMethane(vtkDataSet* mesh)
 {
   vtkNew<vtkDoubleArray> along;
-  along->SetName("Pres");
+  along->SetName("CH4");
   for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
   {
     along->InsertNextValue(mesh->GetPoint(point)[0]);
@@ -93,7 +93,7 @@ Shot Organs(GallerySettings& settings)
     "`vtkLookupTable`; neighbours have one surface in common");
 }
 
-Shot Pressure(GallerySettings& settings)
+Shot Methane(GallerySettings& settings)
 {
   vtkSmartPointer<vtkDataSet> mesh =
     settings.IsQuick ? nullptr : SampleMeshes::Load("disk_out_ref.ex2");
@@ -102,23 +102,24 @@ Shot Pressure(GallerySettings& settings)
   {
     settings.Replaced.insert("10368 tetrahedra in place of reactor, 7472 hexahedra");
     mesh = SampleMeshes::Load("tetrahedra12");
-    AddPressure(mesh);
+    AddMethane(mesh);
   }
-  const Style::View view = { { -1.0, -1.6, 0.5 }, { 0.0, 0.0, 1.0 }, 1.05 };
+  const Style::View view = { { -1.0, -1.6, 0.5 }, { 0.0, 0.0, 1.0 }, 1.7 };
   FeatureScene scene(settings, mesh, isReactor ? "reactor, 7472 hexahedra" : "10368 tetrahedra",
     isReactor ? view : Style::View());
-  scene.Show({ { isReactor ? 500.0 : 0.6, Style::Steel, 1.0 } });
+  scene.Show({ { isReactor ? 330.0 : 0.6, Style::Steel, 1.0 } });
   double range[2];
-  mesh->GetPointData()->GetArray("Pres")->GetRange(range);
+  mesh->GetPointData()->GetArray("CH4")->GetRange(range);
   vtkNew<vtkColorTransferFunction> colors;
   colors->AddRGBPoint(range[0], 0.23, 0.3, 0.75);
   colors->AddRGBPoint(0.5 * (range[0] + range[1]), 0.87, 0.87, 0.87);
   colors->AddRGBPoint(range[1], 0.71, 0.02, 0.15);
   scene.Mapper->SmoothMeshNormalsOn();
-  scene.Mapper->SetColorArrayName("Pres");
+  scene.Mapper->SetColorArrayName("CH4");
   scene.Mapper->SetColorTable(colors);
   return scene.Take("colors", "Colours of another array",
-    "`SetColorArrayName(\"Pres\")`: the surface of a temperature, in the colours of the pressure "
+    "`SetColorArrayName(\"CH4\")`: the surface of a temperature, in the colours of the share of "
+    "methane "
     "on it");
 }
 

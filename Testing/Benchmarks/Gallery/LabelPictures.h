@@ -13,8 +13,8 @@ namespace LabelPictures
 /// The organs of an animal.
 Shot Organs(GallerySettings& settings);
 
-/// Surfaces of a temperature in the colours of the pressure on them.
-Shot Pressure(GallerySettings& settings);
+/// Surfaces of a temperature in the colours of the methane on them.
+Shot Methane(GallerySettings& settings);
 
 }
 

@@ -101,7 +101,8 @@ protected:
     {
       std::vector<double> next;
       const auto change = engine() % 5;
-      for (int label = 1; label <= Most + 1; ++label) // the last one is not in the data
+      // 0 fills the box around all, and the last one is not in the data.
+      for (int label = 0; label <= Most + 1; ++label)
       {
         const bool was = std::count(drawn.begin(), drawn.end(), label) > 0;
         const bool isChosen = engine() % (change == 0 ? 2u : 5u) == 0;

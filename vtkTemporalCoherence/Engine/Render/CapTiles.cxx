@@ -4,6 +4,8 @@
 
 #include "Acceleration/TileBounds.h"
 #include "Scene/CellBox.h"
+#include "Scene/LabelIndex.h"
+#include "Scene/LabelSets.h"
 
 #include <algorithm>
 #include <array>
@@ -118,6 +120,8 @@ public:
     , Cells(key.Samples.Dimensions - 1)
     , Lowest(
         *std::min_element(key.Isosurfaces().Isovalues.begin(), key.Isosurfaces().Isovalues.end()))
+    , Drawn(key.Samples.Labels ? key.Isosurfaces().Isovalues : std::vector<double>())
+    , Labels(key.Samples.Labels.get())
     , Begins(rays)
     , Ranges(ranges)
   {
@@ -135,10 +139,9 @@ public:
         for (int x = 0; x < nodes.x; ++x, ++node)
         {
           const glm::ivec3 first = ValueRangePyramid::NodeSize * glm::ivec3(x, y, z);
-          if (this->AreIn(first, ValueRangePyramid::NodeSize) &&
-            this->MayBeInside(this->Ranges.template NodeAt<T>(node)))
+          if (this->AreIn(first, ValueRangePyramid::NodeSize))
           {
-            this->FindInNode(node, first, found);
+            this->FindInNode(this->SolidLeaves(node), first, found);
           }
         }
       }
@@ -147,16 +150,36 @@ public:
   }
 
 private:
-  /// Append the box around the leaves of a node in which rays may begin in a solid.
-  void FindInNode(std::int64_t node, const glm::ivec3& firstCell, std::vector<CellBox>& found) const
+  /// One bit for each leaf of a node that may have samples in a solid.
+  std::uint64_t SolidLeaves(std::int64_t node) const
+  {
+    if (this->Labels)
+    {
+      const auto isDrawn = [this](std::int64_t label) { return this->Drawn.Has(label); };
+      return this->Labels->LeavesWith(this->Labels->BitsOf(node, isDrawn), node);
+    }
+    const auto mayBe = [this](const ValueRangePyramid::Range<T>& range)
+    { return static_cast<double>(range.Max) >= this->Lowest; };
+    const ValueRangePyramid::Range<T>* const ranges = this->Ranges.template LeavesOf<T>(node);
+    std::uint64_t leaves = 0;
+    const bool isNode = mayBe(this->Ranges.template NodeAt<T>(node));
+    for (int leaf = 0; isNode && leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
+    {
+      leaves |= static_cast<std::uint64_t>(mayBe(ranges[leaf])) << leaf;
+    }
+    return leaves;
+  }
+
+  /// Append the box around those leaves of a node in which rays may begin.
+  void FindInNode(
+    std::uint64_t leaves, const glm::ivec3& firstCell, std::vector<CellBox>& found) const
   {
     constexpr int size = ValueRangePyramid::LeafSize;
-    const ValueRangePyramid::Range<T>* const ranges = this->Ranges.template LeavesOf<T>(node);
     glm::ivec3 low = this->Cells, high(0);
     for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
     {
       const glm::ivec3 first = firstCell + size * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4);
-      if (glm::all(glm::lessThan(first, this->Cells)) && this->MayBeInside(ranges[leaf]) &&
+      if ((leaves >> leaf & 1u) != 0 && glm::all(glm::lessThan(first, this->Cells)) &&
         this->AreIn(first, size))
       {
         low = glm::min(low, first);
@@ -178,14 +201,11 @@ private:
       this->Shape.BoxOf({ first, glm::min(glm::ivec3(size), this->Cells - first) }));
   }
 
-  bool MayBeInside(const ValueRangePyramid::Range<T>& range) const
-  {
-    return static_cast<double>(range.Max) >= this->Lowest;
-  }
-
   const FieldShape& Shape;
   glm::ivec3 Cells;
-  double Lowest; ///< isovalue
+  double Lowest;           ///< isovalue
+  LabelIndex Drawn;        ///< labels
+  const LabelSets* Labels; ///< of the field; null: samples are no labels
   RayBegins Begins;
   const ValueRangePyramid& Ranges;
 };

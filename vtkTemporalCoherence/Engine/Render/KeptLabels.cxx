@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/KeptLabels.h"
 
+#include "Lattice/RaySource.h"
+#include "Render/CapTiles.h"
 #include "Scene/LabelIndex.h"
 
 #include <hwy/base.h>
@@ -31,16 +33,34 @@ Surfaces Without(const std::vector<double>& labels, const Surfaces& all)
   return left;
 }
 
-/// Between which distances tiles may see added labels.
-TileBounds BoundsOf(const FrameTask& task, const Surfaces& added)
+/// For each tile, the distance from which on its rays may meet added labels; infinity: nowhere.
+std::vector<double> NearestOf(const FrameTask& task, const Surfaces& added)
 {
+  const FrameKey& key = task.Key;
+  const auto tiles = static_cast<std::size_t>(NumberOfTiles(key.View.Size));
+  if (added.Isovalues.empty() || !task.Options.SpaceLeaping)
+  {
+    return std::vector<double>(tiles, added.Isovalues.empty() ? Infinity : -Infinity);
+  }
   const FrameStructures& structures = task.Structures;
   ActiveCells active;
   active.Build(
     structures.Ranges().Samples, structures.Pyramid(), added, structures.SpaceToLeap(true).Active);
   TileBounds bounds;
-  bounds.Build(task.Key.View, task.Key.Transform, active, *task.Key.Samples.Shape);
-  return bounds;
+  bounds.Build(key.View, key.Transform, active, *key.Samples.Shape);
+  // Rays may begin in an added label, where no cell is active.
+  FrameKey ofAdded = key;
+  ofAdded.EditIsosurfaces() = added;
+  const std::vector<std::uint8_t> capped = FindCapTiles(ofAdded,
+    RaySource(key.View, key.Transform, key.Samples.Dimensions, key.Region), structures.Pyramid());
+  std::vector<double> nearest(tiles);
+  for (std::size_t tile = 0; tile < tiles; ++tile)
+  {
+    nearest[tile] = capped[tile]
+      ? -Infinity
+      : static_cast<double>(bounds.At(static_cast<std::int64_t>(tile)).Near);
+  }
+  return nearest;
 }
 
 }
@@ -59,11 +79,7 @@ KeptLabels::KeptLabels(const FrameTask& task, const SampleComparer& changes)
   }
   const Surfaces added = Without(last, next);
   this->HasAdded = !added.Isovalues.empty();
-  this->AreAddedBound = this->HasAdded && task.Options.SpaceLeaping;
-  if (this->AreAddedBound)
-  {
-    this->OfAdded = BoundsOf(task, added);
-  }
+  this->NearestAdded = NearestOf(task, added);
 }
 
 std::uint64_t KeptLabels::ToTrace(std::int64_t tile, const PixelRect& part) const
@@ -72,7 +88,7 @@ std::uint64_t KeptLabels::ToTrace(std::int64_t tile, const PixelRect& part) cons
   {
     return ~std::uint64_t(0) >> (64 - part.Size.x * part.Size.y);
   }
-  const double added = this->NearestAdded(tile);
+  const double added = this->NearestAdded[static_cast<std::size_t>(tile)];
   if (this->Last.ClearTiles[static_cast<std::size_t>(tile)])
   {
     return added < Infinity ? ~std::uint64_t(0) >> (64 - part.Size.x * part.Size.y) : 0;
@@ -130,14 +146,6 @@ SurfaceIndex KeptLabels::SurfaceNow(std::size_t pixel) const
 {
   const SurfaceIndex before = this->Last.Isovalues[pixel];
   return before == Frame::NoSurface ? before : this->IndexNow[static_cast<std::size_t>(before)];
-}
-
-/// The distance from which on a tile may see added labels; infinity: nowhere.
-double KeptLabels::NearestAdded(std::int64_t tile) const
-{
-  return this->AreAddedBound ? static_cast<double>(this->OfAdded.At(tile).Near)
-    : this->HasAdded         ? -Infinity
-                             : Infinity;
 }
 
 }

@@ -3,7 +3,6 @@
 #ifndef TemporalCoherence_KeptLabels_h
 #define TemporalCoherence_KeptLabels_h
 
-#include "Acceleration/TileBounds.h"
 #include "Render/Routes.h"
 
 #include <cstddef>
@@ -37,15 +36,14 @@ public:
 private:
   std::size_t PlaceOf(int x, int y) const;
   SurfaceIndex SurfaceNow(std::size_t pixel) const;
-  double NearestAdded(std::int64_t tile) const;
 
   const Frame& Last;
   const SampleComparer* Changes; ///< null: no sample changed
   bool IsParallel;
   std::vector<SurfaceIndex> IndexNow; ///< of the last frame's surfaces
   bool HasAdded = false;
-  bool AreAddedBound = false; ///< OfAdded is known
-  TileBounds OfAdded;         ///< between which distances tiles may see added labels
+  /// For each tile, the distance from which on its rays may meet added labels; infinity: nowhere.
+  std::vector<double> NearestAdded;
 };
 
 }

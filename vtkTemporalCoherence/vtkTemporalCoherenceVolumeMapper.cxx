@@ -256,13 +256,14 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
 bool vtkTemporalCoherenceVolumeMapper::ModifiedWithin(
   vtkImageData* image, const int extent[6], vtkDataArray* array)
 {
-  const bool isTold = image &&
+  const bool isTold = image && extent &&
     TemporalCoherence::TellChange(
       image, array, { extent[0], extent[1], extent[2], extent[3], extent[4], extent[5] });
   if (!isTold)
   {
     vtkGenericWarningMacro(
-      "ModifiedWithin found no array to call modified; give an image and one of its arrays.");
+      "ModifiedWithin found no array to call modified; give an image, an extent, and one of the "
+      "image's arrays.");
   }
   return isTold;
 }

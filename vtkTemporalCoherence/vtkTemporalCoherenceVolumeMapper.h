@@ -134,15 +134,16 @@ public:
   //@}
 
   /**
-   * Tell that samples of an image change in place, as by the stroke of a brush, and only within an
-   * extent of points (or of cells, if the array is one of cells). Calls Modified() of the array, so
-   * write the samples before. May be called several times between two frames, for any mappers of
-   * the image. The next frame of LABELS then reads no other samples to find what changed; other
-   * frames treat this as any Modified().
-   * @param image which mappers draw, or a block of it
-   * @param extent within that of the image; parts beyond do not count
+   * Tell that samples of an image have changed in place, as by the stroke of a brush, and only
+   * within an extent of points (or of cells, if the array is one of cells). Calls Modified() of the
+   * array. May be called several times between two frames, and counts for all mappers of the image.
+   * The next frame of LABELS then reads no other samples to find what changed, unless something
+   * else was modified, too, or the image is a block of several. All other frames treat this as any
+   * Modified().
+   * @param image which mappers draw
+   * @param extent of samples; what lies beyond the image does not count
    * @param array of the image; null (default): its active scalars, of points or else of cells
-   * @return false with a warning if there is no such array
+   * @return false, with a warning, if there is no such array
    */
   static bool ModifiedWithin(
     vtkImageData* image, const int extent[6], vtkDataArray* array = nullptr);

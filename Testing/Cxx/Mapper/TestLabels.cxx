@@ -19,9 +19,11 @@
 #include <vtkStructuredGrid.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkVariant.h>
+#include <vtkXMLImageDataWriter.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <set>
 
 namespace
@@ -420,6 +422,71 @@ void TestChangesNotTold()
     "there must be an array");
 }
 
+/// Odd extents, several mappers, arrays that two images share, and files.
+void TestOddChanges()
+{
+  const auto image = Balls();
+  vtkDataArray* const samples = image->GetPointData()->GetScalars();
+  vtkNew<vtkImageData> other; // of another shape, with the same samples
+  other->SetDimensions(22, 25, 28);
+  other->GetPointData()->SetScalars(samples);
+  LabelScene scene(image), rare(image), reshaped(other);
+  const int most = std::numeric_limits<int>::max();
+  const int extents[][6] = { { 20, 3, 0, 24, 0, 21 }, { 0, 27, 0, 24, 30, 40 },
+    { -most, most, 9, 9, -most, most }, { 0, 27, 0, 24, 0, 21 }, { 9, 12, 5, 7, most, -most } };
+  int turn = 0;
+  for (const int* extent : extents)
+  {
+    samples->SetComponent(9 + 28 * (9 + 25 * (4 + turn)), 0, 5 - turn);
+    const bool isThere = turn == 2 || turn == 3;
+    if (!isThere)
+    {
+      samples->Modified();
+    }
+    Expect(vtkTemporalCoherenceVolumeMapper::ModifiedWithin(image, extent), "any extent is told");
+    for (LabelScene* each : { &scene, &rare, &reshaped })
+    {
+      LabelScene fresh(each == &reshaped ? other.Get() : image.Get());
+      Expect((each == &rare && turn % 2 == 0) ||
+          (each->Render(Size, Size) && fresh.Render(Size, Size) &&
+            AreIdentical(each->Color, fresh.Color)),
+        "extent " + std::to_string(turn) + " looks as in a new picture");
+    }
+    ++turn;
+  }
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputData(image);
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  Expect(writer->GetOutputString().find("TOLD_CHANGES") == std::string::npos,
+    "files know nothing of it");
+}
+
+/// An added label that fills a part of the box up to its faces is capped there.
+void TestCapsOfOtherSets()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 64, 96);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* const samples = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 64 * 64 * 96; ++i)
+  {
+    samples[i] = static_cast<unsigned char>(1 + i % 64 / 32 + 2 * (i / 4096 / 60));
+  }
+  LabelScene scene(image), cold(image);
+  for (const std::set<int>& hidden : { std::set<int>{ 0, 2, 3 }, { 0, 3, 4 }, { 0 }, { 0, 1, 2 } })
+  {
+    for (LabelScene* each : { &scene, &cold })
+    {
+      each->Mapper->SetLabelTable(Table(hidden));
+    }
+    cold.Mapper->ClearCache();
+    Expect(scene.Render(2 * Size, 2 * Size) && cold.Render(2 * Size, 2 * Size) &&
+        AreIdentical(scene.Color, cold.Color) && AreIdentical(scene.Depth, cold.Depth),
+      "caps of labels that are added");
+  }
+}
+
 /// Most pixels keep their label where another set is drawn.
 void TestOtherSets()
 {
@@ -562,6 +629,8 @@ int TestLabels(int, char*[])
   TestStrokes(false);
   TestStrokes(true);
   TestChangesNotTold();
+  TestOddChanges();
+  TestCapsOfOtherSets();
   TestOtherSets();
   TestManyLabels();
   TestSettings();

@@ -12,6 +12,7 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace Fuzz
@@ -46,9 +47,12 @@ void SetTable(World& world)
   table->SetNumberOfTableValues(count);
   table->SetTableRange(0.0, count - 1.0);
   const double opacities[] = { 1.0, 1.0, 0.0, 0.4, 0.9 };
+  bool isSharp = false; // after an opaque first label no other is translucent
   for (int label = 0; label < count; ++label)
   {
-    const double opacity = from.OneOf(opacities);
+    const double asked = from.OneOf(opacities);
+    isSharp = label == 0 ? asked == 1.0 : isSharp;
+    const double opacity = isSharp ? std::round(asked) : asked;
     table->SetTableValue(label, from.Between(0.0, 1.0), from.Between(0.0, 1.0), 0.3, opacity);
     Story::Tell("  label ", label, ": opacity ", opacity);
   }

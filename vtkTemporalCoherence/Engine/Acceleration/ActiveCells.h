@@ -27,8 +27,8 @@ namespace TemporalCoherence
 /// sample must lie below the highest. Hidden cells are never active. With THRESHOLD their
 /// neighbours are active unless they are outside, because solids are capped there.
 ///
-/// If samples are labels, a cell is active where its samples have different labels, in a leaf with
-/// a label that is drawn.
+/// If samples are labels, a cell is active where its samples have different labels, or beside
+/// hidden cells, in a leaf with a label that is drawn.
 ///
 /// Each node of the pyramid has a 64-bit word for its active leaves, and each active leaf one for
 /// its active cells. A ray skips 16 or 4 cells in one step where a word is empty, and tests a cell

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -122,28 +123,63 @@ FieldFingerprint FingerprintOf(const Field& field)
   return print;
 }
 
+namespace
+{
+
+/// Call visit(row, first node along x, end) for the rows of nodes that hold samples of a box.
+template <typename Visit>
+void VisitRows(const SampleBox& box, const glm::ivec3& nodes, const Visit& visit)
+{
+  // The last node of a row may hold one sample more than the others.
+  const glm::ivec3 first = glm::min(box.First / NodeSize, nodes - 1);
+  const glm::ivec3 last = glm::min(box.Last / NodeSize, nodes - 1);
+  for (int k = first.z; k <= last.z; ++k)
+  {
+    for (int j = first.y; j <= last.y; ++j)
+    {
+      visit(j + static_cast<std::int64_t>(nodes.y) * k, first.x, last.x + 1);
+    }
+  }
+}
+
+/// A row of nodes to hash, from one node along x up to another.
+struct RowToHash
+{
+  int First = std::numeric_limits<int>::max(), End = 0;
+};
+
+}
+
 FieldFingerprint FingerprintOf(
   const Field& field, const FieldFingerprint& last, const std::vector<SampleBox>& within)
 {
   const glm::ivec3 nodes = ValueRangePyramid::NodesFor(field.Dimensions);
   FieldFingerprint print{ field, last.Nodes };
+  std::vector<RowToHash> rows(
+    static_cast<std::size_t>(nodes.y) * static_cast<std::size_t>(nodes.z));
+  for (const SampleBox& box : within)
+  {
+    VisitRows(box, nodes,
+      [&](std::int64_t row, int first, int end)
+      {
+        RowToHash& toHash = rows[static_cast<std::size_t>(row)];
+        toHash = { std::min(toHash.First, first), std::max(toHash.End, end) };
+      });
+  }
   DispatchScalarType(field.Type,
     [&](auto type)
     {
       const TypedField<decltype(type)> samples(field);
-      for (const SampleBox& box : within)
-      {
-        const glm::ivec3 first = glm::min(box.First / NodeSize, nodes - 1);
-        const glm::ivec3 end = glm::min(box.Last / NodeSize + 1, nodes);
-        for (int k = first.z; k < end.z; ++k)
+      ParallelFor(static_cast<std::int64_t>(rows.size()), 1,
+        [&](std::int64_t row)
         {
-          for (int j = first.y; j < end.y; ++j)
+          const RowToHash& toHash = rows[static_cast<std::size_t>(row)];
+          if (toHash.First < toHash.End)
           {
-            const std::int64_t row = j + static_cast<std::int64_t>(nodes.y) * k;
-            HashRow(samples, first.x, end.x, { j, k }, nodes, print.Nodes.data() + row * nodes.x);
+            HashRow(samples, toHash.First, toHash.End, { row % nodes.y, row / nodes.y }, nodes,
+              print.Nodes.data() + row * nodes.x);
           }
-        }
-      }
+        });
     });
   return print;
 }
@@ -170,10 +206,6 @@ std::vector<CellBox> CellsAround(const std::vector<SampleBox>& samples, const Fi
 std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFingerprint& now,
   const std::optional<std::vector<SampleBox>>& within)
 {
-  if (within && before.Nodes != now.Nodes)
-  {
-    return CellsAround(*within, now.Samples);
-  }
   const glm::ivec3 nodes = ValueRangePyramid::NodesFor(now.Samples.Dimensions);
   std::vector<SampleBox> changed;
   for (std::size_t i = 0; i < now.Nodes.size(); ++i)
@@ -186,7 +218,25 @@ std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFin
       changed.push_back({ NodeSize * place, NodeSize * (place + 1) });
     }
   }
-  return CellsAround(changed, now.Samples);
+  // Where few boxes are told they are more precise than nodes.
+  constexpr std::size_t few = 16;
+  if (!within || within->size() > few)
+  {
+    return CellsAround(changed, now.Samples);
+  }
+  std::vector<SampleBox> parts;
+  for (const SampleBox& node : changed)
+  {
+    for (const SampleBox& box : *within)
+    {
+      const SampleBox part{ glm::max(node.First, box.First), glm::min(node.Last, box.Last) };
+      if (!part.IsEmpty())
+      {
+        parts.push_back(part);
+      }
+    }
+  }
+  return CellsAround(parts, now.Samples);
 }
 
 }

@@ -17,7 +17,7 @@ namespace TemporalCoherence
 /// Tells which samples changed since the last frame. It compares fingerprints, as the samples of
 /// the last frame may be gone.
 ///
-/// Data that never changes is not hashed, so the first change cannot be located.
+/// Data that never changes is not hashed, so the first change cannot be located. Labels always are.
 class SampleComparer
 {
 public:

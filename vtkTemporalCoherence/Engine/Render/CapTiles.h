@@ -17,7 +17,8 @@ namespace TemporalCoherence
 ///
 /// Rays begin at faces of the field's box, at the near plane, and at planes that clip or crop. A
 /// solid can only be there if the leaf's largest sample reaches the lowest isovalue, or if it has a
-/// drawn label. Such leaves are projected. Caps behind hidden cells need no search: these cells are active.
+/// drawn label. Such leaves are projected. Caps behind hidden cells need no search: these cells are
+/// active.
 /// \param rays   of the frame
 /// \param ranges of its field
 /// \pre key.Samples.HasCells(), and there are isovalues

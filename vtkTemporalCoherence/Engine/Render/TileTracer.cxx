@@ -9,6 +9,7 @@
 #include "Scene/Timers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace TemporalCoherence
 {
@@ -116,7 +117,9 @@ TraceCounts TileTracer::TraceSome(std::int64_t tile, const PixelRect& part, std:
       if (startsThere)
       {
         const double met = before->Depth[static_cast<std::size_t>(all.Pixel[i])];
-        all.WalkBegin[i] = std::max(all.WalkBegin[i], met);
+        // Rounding may have moved the hit to the end of its cell.
+        constexpr double slack = 1e-9;
+        all.WalkBegin[i] = std::max(all.WalkBegin[i], met - slack * std::abs(met));
       }
       AppendRay(all, i, rays);
     }

@@ -13,10 +13,12 @@
 namespace TemporalCoherence
 {
 
-/// The samples First .. Last of a field, in index space.
+/// The samples First .. Last of a field, in index space. There are none if Last < First.
 struct SampleBox
 {
   glm::ivec3 First{ 0 }, Last{ 0 };
+
+  bool IsEmpty() const { return glm::any(glm::lessThan(this->Last, this->First)); }
 };
 
 /// A change of samples in place: between two stamps of a field, none outside of a box changed.
@@ -26,7 +28,8 @@ struct SampleChange
   SampleBox Within;
 };
 
-/// The boxes that hold all changes between two stamps. None if some change is not known.
+/// The boxes that hold all changes between two stamps; none of them is empty. No list if some
+/// change is not known.
 inline std::optional<std::vector<SampleBox>> ChangesBetween(
   const std::vector<SampleChange>& changes, std::uint64_t before, std::uint64_t after)
 {
@@ -40,7 +43,10 @@ inline std::optional<std::vector<SampleBox>> ChangesBetween(
     {
       return std::nullopt;
     }
-    boxes.push_back(next->Within);
+    if (!next->Within.IsEmpty())
+    {
+      boxes.push_back(next->Within);
+    }
     before = next->After;
   }
   return boxes;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <new>
 
 namespace TemporalCoherence
 {
@@ -27,8 +28,16 @@ bool KeptHitValues::Begin(const FrameKey& key, bool areHitsOfLast)
     return false;
   }
   const auto tiles = static_cast<std::size_t>(NumberOfTiles(key.View.Size));
-  this->Values.resize(tiles * RayBatch::Capacity);
-  this->AreKnown.resize(tiles, 0);
+  try
+  {
+    this->Values.resize(tiles * RayBatch::Capacity);
+    this->AreKnown.resize(tiles, 0);
+  }
+  catch (const std::bad_alloc&)
+  {
+    *this = {}; // the frame does without
+    return false;
+  }
   return true;
 }
 

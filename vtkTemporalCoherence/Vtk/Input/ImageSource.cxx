@@ -122,7 +122,7 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
   field.Axes = AxesOf(found.Image, found.OnCells);
   const glm::dvec3 distances = glm::abs(field.Axes.Step);
   field.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
-  field.Told = ToldChanges(found.Array);
+  field.Told = ToldChanges(found.Array, field.Samples.Dimensions);
   field.Read.emplace_back(found.Array);
   return true;
 }

@@ -6,8 +6,10 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
-#include <vtkInformationDoubleVectorKey.h>
+#include <vtkInformationObjectBaseKey.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,18 +19,40 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Numbers of a change: both stamps, and the extent.
-constexpr std::size_t Numbers = 8;
-
 /// More changes between two frames are not told apart from others.
 constexpr std::size_t MostChanges = 256;
 
-vtkInformationDoubleVectorKey* ChangesKey()
+/// The changes of an array, for its information: writers of files leave objects out.
+class ChangeList : public vtkObject
 {
-  static vtkInformationDoubleVectorKey* const key =
-    vtkInformationDoubleVectorKey::MakeKey("TOLD_CHANGES", "vtkTemporalCoherenceVolumeMapper");
-  return key;
-}
+public:
+  static ChangeList* New();
+  vtkTypeMacro(ChangeList, vtkObject);
+
+  struct Entry
+  {
+    SampleChange Change;
+    glm::ivec3 Dimensions; ///< samples of the image
+  };
+  std::vector<Entry> Entries; ///< oldest first
+
+  /// The list of an array; null if there is none.
+  static ChangeList* Of(vtkDataArray* array)
+  {
+    return array->HasInformation()
+      ? ChangeList::SafeDownCast(array->GetInformation()->Get(ChangeList::Key()))
+      : nullptr;
+  }
+
+  static vtkInformationObjectBaseKey* Key()
+  {
+    static vtkInformationObjectBaseKey* const key =
+      vtkInformationObjectBaseKey::MakeKey("TOLD_CHANGES", "vtkTemporalCoherenceVolumeMapper");
+    return key;
+  }
+};
+
+vtkStandardNewMacro(ChangeList);
 
 /// As Field::Stamp.
 vtkMTimeType StampOf(vtkImageData* image, vtkDataArray* array)
@@ -46,14 +70,23 @@ bool IsAmong(vtkDataSetAttributes* arrays, vtkDataArray* array)
   return isAmong;
 }
 
-std::vector<double> NumbersOf(vtkDataArray* array)
+/// The samples of an image within an extent.
+SampleBox BoxWithin(
+  vtkImageData* image, const std::array<int, 6>& extent, const glm::ivec3& dimensions)
 {
-  if (!array->HasInformation() || !array->GetInformation()->Has(ChangesKey()))
+  SampleBox box;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    return {};
+    const int first = image->GetExtent()[2 * axis];
+    const auto low = static_cast<std::size_t>(2 * axis);
+    // Differences of any two extents fit into 64 bits.
+    const auto placeOf = [&](int at) { return static_cast<std::int64_t>(at) - first; };
+    box.First[axis] =
+      static_cast<int>(std::clamp<std::int64_t>(placeOf(extent[low]), 0, dimensions[axis]));
+    box.Last[axis] = static_cast<int>(
+      std::clamp<std::int64_t>(placeOf(extent[low + 1]), -1, dimensions[axis] - 1));
   }
-  const double* const numbers = array->GetInformation()->Get(ChangesKey());
-  return { numbers, numbers + array->GetInformation()->Length(ChangesKey()) };
+  return box;
 }
 
 }
@@ -68,41 +101,37 @@ bool TellChange(vtkImageData* image, vtkDataArray* array, const std::array<int, 
     return false;
   }
   const vtkMTimeType before = StampOf(image, array);
-  std::vector<double> numbers = NumbersOf(array);
-  if (numbers.size() == Numbers * MostChanges)
+  vtkSmartPointer<ChangeList> list = ChangeList::Of(array);
+  if (!list)
   {
-    numbers.erase(numbers.begin(), numbers.begin() + Numbers);
+    list = vtkSmartPointer<ChangeList>::New();
+    array->GetInformation()->Set(ChangeList::Key(), list);
   }
-  vtkInformation* const about = array->GetInformation(); // may modify the array
   array->Modified();
-  numbers.push_back(static_cast<double>(before));
-  numbers.push_back(static_cast<double>(StampOf(image, array)));
-  const int* const whole = image->GetExtent();
-  for (std::size_t side = 0; side < extent.size(); ++side)
+  glm::ivec3 dimensions;
+  image->GetDimensions(&dimensions.x);
+  dimensions = onCells ? glm::max(dimensions - 1, 1) : dimensions;
+  if (list->Entries.size() == MostChanges)
   {
-    const int low = whole[side / 2 * 2];
-    const int high = std::max(whole[side / 2 * 2 + 1] - (onCells ? 1 : 0), low);
-    numbers.push_back(std::clamp(extent[side], low, high) - low);
+    list->Entries.erase(list->Entries.begin());
   }
-  about->Set(ChangesKey(), numbers.data(), static_cast<int>(numbers.size()));
+  list->Entries.push_back(
+    { { before, StampOf(image, array), BoxWithin(image, extent, dimensions) }, dimensions });
   return true;
 }
 
-std::vector<SampleChange> ToldChanges(vtkDataArray* array)
+std::vector<SampleChange> ToldChanges(vtkDataArray* array, const glm::ivec3& dimensions)
 {
-  const std::vector<double> numbers = NumbersOf(array);
   std::vector<SampleChange> changes;
-  for (std::size_t i = 0; i + Numbers <= numbers.size(); i += Numbers)
+  if (const ChangeList* const list = ChangeList::Of(array))
   {
-    SampleChange change{ static_cast<std::uint64_t>(numbers[i]),
-      static_cast<std::uint64_t>(numbers[i + 1]), {} };
-    for (int axis = 0; axis < 3; ++axis)
+    for (const ChangeList::Entry& entry : list->Entries)
     {
-      const std::size_t low = i + 2 + 2 * static_cast<std::size_t>(axis);
-      change.Within.First[axis] = static_cast<int>(numbers[low]);
-      change.Within.Last[axis] = static_cast<int>(numbers[low + 1]);
+      if (entry.Dimensions == dimensions)
+      {
+        changes.push_back(entry.Change);
+      }
     }
-    changes.push_back(change);
   }
   return changes;
 }

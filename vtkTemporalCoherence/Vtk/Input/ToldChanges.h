@@ -18,16 +18,17 @@ namespace TemporalCoherence
 {
 
 // Who writes into the samples of an image may tell where. The array keeps that in its information,
-// so that all mappers of the image know.
+// so that all mappers of the image know. Nothing of it is written to files.
 
 /// Call Modified() of an array of an image, and keep that only values within an extent changed.
 /// \param array  of points or cells; null: the active scalars
-/// \param extent of points or cells; clamped to the image's
+/// \param extent of points or cells; what lies beyond the image's does not count
 /// \return false if the image has no such array
 bool TellChange(vtkImageData* image, vtkDataArray* array, const std::array<int, 6>& extent);
 
-/// The last changes that were told, oldest first. Stamps are those of fields of the image.
-std::vector<SampleChange> ToldChanges(vtkDataArray* array);
+/// The last changes that were told of an array in an image of these dimensions, oldest first.
+/// Stamps are those of fields of the image.
+std::vector<SampleChange> ToldChanges(vtkDataArray* array, const glm::ivec3& dimensions);
 
 }
 

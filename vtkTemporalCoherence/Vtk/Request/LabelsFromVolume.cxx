@@ -4,7 +4,6 @@
 
 #include "Kinds/LabelKind.h"
 #include "Request/AppearanceFromVolume.h"
-#include "Scene/FrameKey.h"
 
 #include <vtkLookupTable.h>
 #include <vtkVariant.h>
@@ -89,8 +88,10 @@ bool LabelsFromVolume::Make(
 void LabelsFromVolume::See(const Field& samples, const std::vector<SampleChange>& told)
 {
   const Field& last = this->Print.Samples;
+  // Cells that flags hide have labels, too.
   const bool areKept = this->Known.Labels && last.Samples == samples.Samples &&
-    last.Strides == samples.Strides && AreAlike(last, samples);
+    last.Strides == samples.Strides && last.Type == samples.Type &&
+    last.Dimensions == samples.Dimensions;
   const Field known = std::exchange(this->Known, Field()); // the next steps may fail
   const std::optional<std::vector<SampleBox>> within =
     areKept ? ChangesBetween(told, last.Stamp, samples.Stamp) : std::nullopt;

@@ -42,7 +42,6 @@ void Add(const Bands& bands, const std::vector<double>& labels, std::vector<Seen
   if (same != all.end())
   {
     same->CountFor.insert(same->CountFor.end(), labels.begin(), labels.end());
-    std::sort(same->CountFor.begin(), same->CountFor.end());
   }
   else if (!bands.empty())
   {
@@ -61,6 +60,10 @@ std::vector<SeenBands> VisibleLabels(const Blending& volume)
   for (const LabelledLook& own : map.Looks)
   {
     Add(OpaqueBands(own.Look.Transfer), { static_cast<double>(own.Label) }, all);
+  }
+  for (SeenBands& seen : all)
+  {
+    std::sort(seen.CountFor.begin(), seen.CountFor.end());
   }
   return all;
 }

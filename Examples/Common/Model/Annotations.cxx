@@ -171,7 +171,7 @@ void Annotations::ShowAs(const Annotations& other)
   this->Show(other.Shown, other.Component, other.Bounds);
   this->Samples = other.Samples;
   this->SamplesToWorld->DeepCopy(other.SamplesToWorld);
-  this->Apply(other.Applied, other.Colors);
+  this->Apply(other.Applied, other.Colors, other.Key);
   if (other.Ruler->GetVisibility())
   {
     Point from, to;
@@ -181,10 +181,11 @@ void Annotations::ShowAs(const Annotations& other)
   }
 }
 
-void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors)
+void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors, const ColorKey& key)
 {
   this->Applied = look;
   this->Colors = colors;
+  this->Key = key;
   const Rgb ink = InkOn(this->Renderer);
   const Box& box = this->Bounds;
   this->OutlineActor->SetVisibility(look.Choice(Row::Outline));
@@ -209,7 +210,8 @@ void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors)
   SetInk(this->ScaleBar->GetBottomAxis()->GetLabelTextProperty(), ink);
   this->ScaleBar->GetBottomAxis()->GetProperty()->SetColor(ink[0], ink[1], ink[2]);
 
-  this->ColorBar->SetLookupTable(colors);
+  this->ColorBar->SetLookupTable(key.Colors ? key.Colors.Get() : colors);
+  this->ColorBar->SetTitle(key.Title.c_str());
   this->ColorBar->SetVisibility(look.Choice(Row::ColorBar));
   SetInk(this->ColorBar->GetLabelTextProperty(), ink);
   SetInk(this->ColorBar->GetTitleTextProperty(), ink);

@@ -71,16 +71,21 @@ void Choose(QComboBox* box, int index)
   emit box->activated(index);
 }
 
-// How much more red than blue there is in the left and in the right half of a picture.
+// How much more red than blue there is in the left and in the right half of a picture, beside the
+// background.
 std::array<double, 2> RedOfHalves(vtkImageData* picture)
 {
+  const auto redOf = [picture](int x, int y)
+  {
+    return picture->GetScalarComponentAsDouble(x, y, 0, 0) -
+      picture->GetScalarComponentAsDouble(x, y, 0, 2);
+  };
   std::array<double, 2> red = {};
   for (int y = 0; y < Height; ++y)
   {
     for (int x = 0; x < Width; ++x)
     {
-      red[x < Width / 2 ? 0 : 1] += picture->GetScalarComponentAsDouble(x, y, 0, 0) -
-        picture->GetScalarComponentAsDouble(x, y, 0, 2);
+      red[x < Width / 2 ? 0 : 1] += redOf(x, y) - redOf(0, 0);
     }
   }
   return red;

@@ -160,7 +160,7 @@ foreach (mistake IN ITEMS "takes a number|--iso;60,nan" "outside the values|--is
     "commas between|--iso;60,,70" "an axis and a place|--clip;w=3" "name one by --preset|--shift;3"
     "given twice|--iso;60,60" "those of a film|--frames;5" "--shift takes|--preset;mr;--shift;1e9"
     "must lie within|--maximum;--window;9;--level;1e9" "no array 'Temp' to colour by|--color-by;Temp"
-    "neither are drawn|--preset;mr;--color-by;Temp" "give one of them|--color;tan;--color-by;Temp")
+    "none are drawn|--preset;mr;--color-by;Temp" "give one of them|--color;tan;--color-by;Temp")
   string(REGEX MATCH "^[^|]*" words "${mistake}")
   string(REGEX REPLACE "^[^|]*[|]" "" arguments "${mistake}")
   expect_refusal_of("${command};--spheres;16" "${words}" ${arguments})

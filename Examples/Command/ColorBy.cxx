@@ -33,6 +33,11 @@ namespace
 
 ArrayColor ColorByOf(const Model& model, const std::string& text)
 {
+  if (!model.DrawsSurfaces())
+  {
+    throw UserError("Arrays colour surfaces and labels, of which none are drawn; leave out "
+                    "--color-by, or choose --draw surfaces.");
+  }
   const ColorArrays& arrays = model.View.Colors.Arrays();
   if (arrays.Find(text)) // a name may have a colon
   {

@@ -242,18 +242,6 @@ void Check(const Options& options)
       "Isovalues are those of surfaces, and no surfaces are drawn; leave out --iso, or "
       "--preset, --maximum, --minimum and --draw.");
   }
-  const bool isBlended = std::any_of(options.Choices.begin(), options.Choices.end(),
-    [](const auto& made)
-    {
-      return made.first == Row::Drawing && made.second != Drawing::Surfaces &&
-        made.second != Drawing::Labels;
-    });
-  if (!options.ColorBy.empty() && isBlended)
-  {
-    throw UserError(
-      "Arrays colour surfaces and labels, and neither are drawn; leave out --color-by, or "
-      "--preset, --maximum, --minimum and --draw.");
-  }
   if (!options.ColorBy.empty() && !options.Colors.empty())
   {
     throw UserError("Surfaces have the colours of --color or of --color-by; give one of them.");

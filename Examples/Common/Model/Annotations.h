@@ -21,6 +21,7 @@
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 
 // What a picture has beside the volume: samples on the clipping plane, the outline of the box,
 // axes, a scale bar and a colour bar.
@@ -72,6 +73,7 @@ private:
   vtkNew<vtkAxesActor> Axes;
   vtkNew<vtkLegendScaleActor> ScaleBar;
   vtkNew<vtkScalarBarActor> ColorBar;
+  vtkNew<vtkTextActor> TitleOfBar;
   vtkNew<vtkLeaderActor2D> Ruler;
   Volume Shown;
   int Component = 0;

@@ -99,10 +99,10 @@ void ExplorerTests::ArraysColorSurfaces()
   Write(path, TextOfArrays(true));
   auto* arrays = this->Window->findChild<QComboBox*>("color-by");
   auto* components = this->Window->findChild<QComboBox*>("color-by-component");
-  QVERIFY(!arrays->isVisibleTo(arrays->parentWidget())); // spheres have one array
+  QVERIFY(!arrays->isVisibleTo(this->Window.get())); // spheres have one array
   this->Open(SessionOf(path));
   Model& model = this->Bench->Data;
-  QTRY_VERIFY_WITH_TIMEOUT(arrays->isVisibleTo(arrays->parentWidget()), Patience);
+  QTRY_VERIFY_WITH_TIMEOUT(arrays->isVisibleTo(this->Window.get()), Patience);
   QCOMPARE(arrays->count(), 5);
   QCOMPARE(arrays->currentIndex(), 0);
   const auto plain = model.View.Picture(Width, Height);
@@ -112,7 +112,7 @@ void ExplorerTests::ArraysColorSurfaces()
   const auto byX = model.View.Picture(Width, Height);
   const std::array<double, 2> red = RedOfHalves(byX);
   QVERIFY2(red[0] < -1e4 && red[1] > 1e4, std::to_string(red[0]).c_str());
-  QVERIFY(!components->isVisibleTo(components->parentWidget()));
+  QVERIFY(!components->isVisibleTo(this->Window.get()));
   this->Bench->Turn(Row::ColorMap, -1);
   QVERIFY(!AreSame(byX, model.View.Picture(Width, Height)));
   this->Bench->Changes.undo();
@@ -124,7 +124,7 @@ void ExplorerTests::ArraysColorSurfaces()
   // The first component of the vectors is x; the second is the same everywhere.
   Choose(arrays, 3);
   QCOMPARE(model.Settings().ColorBy.Component, -1);
-  QTRY_VERIFY_WITH_TIMEOUT(components->isVisibleTo(components->parentWidget()), Patience);
+  QTRY_VERIFY_WITH_TIMEOUT(components->isVisibleTo(this->Window.get()), Patience);
   Choose(components, 1);
   QVERIFY(AreSame(byX, model.View.Picture(Width, Height)));
   Choose(components, 2);

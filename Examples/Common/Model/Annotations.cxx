@@ -77,7 +77,7 @@ Annotations::Annotations(vtkRenderer* renderer)
   this->ColorBar->SetHeight(0.7);
   // The bar's own title lies in its middle: long ones would not end in the picture.
   this->TitleOfBar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  this->TitleOfBar->SetPosition(0.97, 0.88);
+  this->TitleOfBar->SetPosition(0.93, 0.88);
   this->TitleOfBar->GetTextProperty()->SetJustificationToRight();
   for (vtkProp* prop : { static_cast<vtkProp*>(this->Cut),
          static_cast<vtkProp*>(this->OutlineActor), static_cast<vtkProp*>(this->Axes),

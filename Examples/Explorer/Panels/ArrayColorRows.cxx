@@ -7,6 +7,7 @@
 #include "Program/Quoted.h"
 
 #include <QComboBox>
+#include <QLayout>
 #include <QSignalBlocker>
 
 namespace
@@ -50,9 +51,7 @@ QComboBox* NewArrayBox(const char* name)
   return box;
 }
 
-}
-
-void AddArrayColors(Form& form, Workbench& bench)
+void AddColorRows(Form& form, Workbench& bench)
 {
   QComboBox* const arrays = NewArrayBox("color-by");
   QComboBox* const components = NewArrayBox("color-by-component");
@@ -80,12 +79,32 @@ void AddArrayColors(Form& form, Workbench& bench)
       arrays->setCurrentIndex(chosen ? 1 + static_cast<int>(chosen - all.All().data()) : 0);
       ShowColorComponents(components, bench.Data);
     });
-  form.ShowWhile(arrays, [&bench] { return bench.Data.CanColorByArray(); });
   form.ShowWhile(components,
     [&bench]
     {
       const ArrayColor& color = bench.Data.Settings().ColorBy;
       const ColorArrays::Item* const chosen = bench.Data.View.Colors.Arrays().Find(color.Name);
       return bench.Data.ColorsByArray() && chosen && chosen->Components > 1;
+    });
+}
+
+}
+
+// They take room from the first time on that data have another array.
+void AddArrayColors(Form& form, Workbench& bench)
+{
+  auto* const rows = new Form(bench);
+  rows->setParent(&form);
+  rows->hide();
+  rows->layout()->setContentsMargins(0, 0, 0, 0);
+  AddColorRows(*rows, bench);
+  form.OnChange(
+    [=, &form, &bench]
+    {
+      if (bench.Data.CanColorByArray() && form.layout()->indexOf(rows) < 0)
+      {
+        form.Add(rows);
+      }
+      rows->setVisible(bench.Data.CanColorByArray());
     });
 }

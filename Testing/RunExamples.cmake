@@ -159,16 +159,34 @@ foreach (mistake IN ITEMS "takes a number|--iso;60,nan" "outside the values|--is
     "is neither|--film;turn;-o;x.txt" "no directory|-o;/nowhere/at/all.png" "from 0 to 1|--opacity;2"
     "commas between|--iso;60,,70" "an axis and a place|--clip;w=3" "name one by --preset|--shift;3"
     "given twice|--iso;60,60" "those of a film|--frames;5" "--shift takes|--preset;mr;--shift;1e9"
-    "must lie within|--maximum;--window;9;--level;1e9")
+    "must lie within|--maximum;--window;9;--level;1e9" "no array 'Temp' to colour by|--color-by;Temp"
+    "none are drawn|--preset;mr;--color-by;Temp" "give one of them|--color;tan;--color-by;Temp")
   string(REGEX MATCH "^[^|]*" words "${mistake}")
   string(REGEX REPLACE "^[^|]*[|]" "" arguments "${mistake}")
   expect_refusal_of("${command};--spheres;16" "${words}" ${arguments})
 endforeach ()
 string(CONCAT tetrahedron "# vtk DataFile Version 3.0\none cell\nASCII\nDATASET UNSTRUCTURED_GRID\n"
   "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
-  "POINT_DATA 4\nSCALARS s float\nLOOKUP_TABLE default\n0 1 2 3\n")
+  "POINT_DATA 4\nSCALARS s float\nLOOKUP_TABLE default\n0 1 2 3\n"
+  "SCALARS t float\nLOOKUP_TABLE default\n0 2 1 5\nVECTORS v float\n0 1 2 3 4 5 6 7 9 1 1 2\n")
 file(WRITE "${SCRATCH}/tetrahedron.vtk" "${tetrahedron}")
 expect_refusal_of("${command}" "is a mesh" "${SCRATCH}/tetrahedron.vtk" --preset mr)
+# Colours of another array, and of a component.
+expect_refusal_of("${command}" "those it has: s, t, v" "${SCRATCH}/tetrahedron.vtk" --color-by w)
+expect_refusal_of("${command}" "from 1 to 3" "${SCRATCH}/tetrahedron.vtk" --color-by v:4)
+set(digests "")
+foreach (colors IN ITEMS s t v v:2 "t;--color-map;viridis")
+  run("${command}" "${SCRATCH}/tetrahedron.vtk" --size 48 -o "${pictures}/colors.png"
+    --color-by ${colors})
+  run("${CHECK_PICTURE}" "${pictures}/colors.png")
+  file(MD5 "${pictures}/colors.png" digest)
+  list(APPEND digests "${digest}")
+endforeach ()
+list(REMOVE_DUPLICATES digests)
+list(LENGTH digests different)
+if (NOT different EQUAL 5)
+  message(FATAL_ERROR "Of five pictures coloured by arrays, ${different} differ")
+endif ()
 function (expect_refusal words)
   expect_refusal_of("${orbit_and_sweep};--quick;--output;${pictures}/refused" "${words}" ${ARGN})
 endfunction ()

@@ -149,6 +149,8 @@ void AddLooks(CommandLine& line, Options& options)
         options.Colors.push_back(ParseColor(name, part));
       }
     });
+  line.AddSetting("--color-by", [&options](Text, Text value) { options.ColorBy = value; });
+  addChoice("--color-map", Row::ColorMap);
   line.AddSetting("--preset",
     [&options](Text name, Text value)
     {
@@ -240,6 +242,10 @@ void Check(const Options& options)
       "Isovalues are those of surfaces, and no surfaces are drawn; leave out --iso, or "
       "--preset, --maximum, --minimum and --draw.");
   }
+  if (!options.ColorBy.empty() && !options.Colors.empty())
+  {
+    throw UserError("Surfaces have the colours of --color or of --color-by; give one of them.");
+  }
   const std::vector<double>& isovalues = options.Isovalues;
   if (std::set<double>(isovalues.begin(), isovalues.end()).size() < isovalues.size())
   {
@@ -299,6 +305,9 @@ usage: temporal-coherence [VOLUME [ISOVALUE] | FILE.session] [OPTIONS] [-o PICTU
   --opacity O[,O...]     of each isovalue, 0 to 1; the last one goes on
   --color C[,C...]       of each isovalue: a name (ivory, tomato) or #rrggbb
   --palette NAME         colours over the values instead: tissue ivory steel ember viridis cool-warm
+  --color-by ARRAY       colours of another array, for example Temp; of vectors V:length or V:2 (the
+                         second component)
+  --color-map NAME       colours over that array's values, of those of --palette; default cool-warm
   --material NAME        satin matt glossy flat
   --light NAME           studio head side rim
   --occlusion            ambient occlusion: hollows are darker; takes seconds, see-through

@@ -18,6 +18,7 @@ struct Options : CommonOptions
   std::vector<double> Opacities; // of the isovalues, in their order; the last one goes on
   std::vector<Rgb> Colors;       // of the isovalues, too
   std::vector<std::pair<Row::Which, int>> Choices; // words that were named, for the look
+  std::string ColorBy;                             // name of an array, and a component; empty: none
   std::optional<int> Preset;                       // place of its word
   double Shift = 0.0;
   std::optional<double> Window, Level;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws a volume without a window: the Explorer's pictures, from a command line.
+#include "ColorBy.h"
 #include "Files/Trial.h"
 #include "Model/Model.h"
 #include "Options.h"
@@ -144,6 +145,7 @@ void SetLook(Model& model, const Options& options)
     }
     look.Clip.Origin[axis] = options.ClipAt.value_or(look.Clip.Origin[axis]);
   }
+  look.ColorBy = options.ColorBy.empty() ? look.ColorBy : ColorByOf(model, options.ColorBy);
   if (!IsSessionName(options.Source.Path))
   {
     look.Values[Row::Brightness] = 0.0; // that of the first look

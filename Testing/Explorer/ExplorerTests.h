@@ -47,6 +47,10 @@ private slots:
   void NamesOfAllKindsAreRead();
   void SessionsMoveWithTheirVolumes();
 
+  void ArraysColorSurfaces();
+  void ArrayColorsAreKept();
+  void RangesOfArraysAreWide();
+
   void TheWindowAnswersWhileReading();
   void TheLatestFileIsOpened();
   void TheWindowAnswersWhileAnIsomapIsBuilt();

@@ -136,8 +136,8 @@ bool HasVolume(vtkDataSet* set)
   return n[0] > 1 && n[1] > 1 && n[2] > 1;
 }
 
-Drawn::Drawn(vtkDataObject* data)
-  : AreAveraged(HasMeshes(data) && !vtkUniformGridAMR::SafeDownCast(data))
+Drawn::Drawn(vtkDataObject* data, bool areAveraged)
+  : AreAveraged(areAveraged && HasMeshes(data) && !vtkUniformGridAMR::SafeDownCast(data))
 {
   for (vtkDataSet* set : DataSetsOf(data))
   {

@@ -29,7 +29,8 @@ struct DrawnArray
 class Drawn
 {
 public:
-  explicit Drawn(vtkDataObject* data);
+  // areAveraged: values of cells of meshes are those at points that they give
+  explicit Drawn(vtkDataObject* data, bool areAveraged = true);
 
   // The arrays that are drawn by a choice, of each data set that has it.
   std::vector<DrawnArray> Arrays(const ArrayChoice& choice);

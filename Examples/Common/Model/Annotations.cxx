@@ -19,7 +19,6 @@
 #include <vtkProperty.h>
 #include <vtkProperty2D.h>
 #include <vtkRenderWindow.h>
-#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTransform.h>
 #include <vtkUnsignedCharArray.h>
@@ -76,10 +75,14 @@ Annotations::Annotations(vtkRenderer* renderer)
   this->ColorBar->SetPosition(0.84, 0.15);
   this->ColorBar->SetWidth(0.07);
   this->ColorBar->SetHeight(0.7);
-  for (vtkProp* prop :
-    { static_cast<vtkProp*>(this->Cut), static_cast<vtkProp*>(this->OutlineActor),
-      static_cast<vtkProp*>(this->Axes), static_cast<vtkProp*>(this->ScaleBar),
-      static_cast<vtkProp*>(this->ColorBar), static_cast<vtkProp*>(this->Ruler) })
+  // The bar's own title lies in its middle: long ones would not end in the picture.
+  this->TitleOfBar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  this->TitleOfBar->SetPosition(0.93, 0.88);
+  this->TitleOfBar->GetTextProperty()->SetJustificationToRight();
+  for (vtkProp* prop : { static_cast<vtkProp*>(this->Cut),
+         static_cast<vtkProp*>(this->OutlineActor), static_cast<vtkProp*>(this->Axes),
+         static_cast<vtkProp*>(this->ScaleBar), static_cast<vtkProp*>(this->ColorBar),
+         static_cast<vtkProp*>(this->TitleOfBar), static_cast<vtkProp*>(this->Ruler) })
   {
     prop->VisibilityOff();
     prop->PickableOff();
@@ -171,7 +174,7 @@ void Annotations::ShowAs(const Annotations& other)
   this->Show(other.Shown, other.Component, other.Bounds);
   this->Samples = other.Samples;
   this->SamplesToWorld->DeepCopy(other.SamplesToWorld);
-  this->Apply(other.Applied, other.Colors);
+  this->Apply(other.Applied, other.Colors, other.Key);
   if (other.Ruler->GetVisibility())
   {
     Point from, to;
@@ -181,10 +184,11 @@ void Annotations::ShowAs(const Annotations& other)
   }
 }
 
-void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors)
+void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors, const ColorKey& key)
 {
   this->Applied = look;
   this->Colors = colors;
+  this->Key = key;
   const Rgb ink = InkOn(this->Renderer);
   const Box& box = this->Bounds;
   this->OutlineActor->SetVisibility(look.Choice(Row::Outline));
@@ -209,10 +213,12 @@ void Annotations::Apply(const Look& look, vtkColorTransferFunction* colors)
   SetInk(this->ScaleBar->GetBottomAxis()->GetLabelTextProperty(), ink);
   this->ScaleBar->GetBottomAxis()->GetProperty()->SetColor(ink[0], ink[1], ink[2]);
 
-  this->ColorBar->SetLookupTable(colors);
+  this->ColorBar->SetLookupTable(key.Colors ? key.Colors.Get() : colors);
+  this->TitleOfBar->SetInput(key.Title.c_str());
   this->ColorBar->SetVisibility(look.Choice(Row::ColorBar));
   SetInk(this->ColorBar->GetLabelTextProperty(), ink);
-  SetInk(this->ColorBar->GetTitleTextProperty(), ink);
+  this->TitleOfBar->SetVisibility(look.Choice(Row::ColorBar) != 0 && !key.Title.empty());
+  SetInk(this->TitleOfBar->GetTextProperty(), ink);
 
   SetInk(this->Ruler->GetLabelTextProperty(), ink);
   this->Ruler->GetProperty()->SetColor(ink[0], ink[1], ink[2]);

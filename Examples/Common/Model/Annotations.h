@@ -21,6 +21,7 @@
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 
 // What a picture has beside the volume: samples on the clipping plane, the outline of the box,
 // axes, a scale bar and a colour bar.
@@ -31,7 +32,13 @@ public:
 
   // Of a volume in its place, with the bounds of its data.
   void Show(const Volume& volume, int component, const Box& bounds);
-  void Apply(const Look& look, vtkColorTransferFunction* colors);
+  // What the colour bar shows, if not the colours of the values that are drawn.
+  struct ColorKey
+  {
+    vtkSmartPointer<vtkColorTransferFunction> Colors; // null: those
+    std::string Title;
+  };
+  void Apply(const Look& look, vtkColorTransferFunction* colors, const ColorKey& key);
 
   // In any picture until it is hidden, or until other data are shown.
   void ShowRuler(const Point& from, const Point& to);
@@ -66,12 +73,14 @@ private:
   vtkNew<vtkAxesActor> Axes;
   vtkNew<vtkLegendScaleActor> ScaleBar;
   vtkNew<vtkScalarBarActor> ColorBar;
+  vtkNew<vtkTextActor> TitleOfBar;
   vtkNew<vtkLeaderActor2D> Ruler;
   Volume Shown;
   int Component = 0;
   Box Bounds = {};
   Look Applied;
   vtkSmartPointer<vtkColorTransferFunction> Colors;
+  ColorKey Key;
   vtkNew<vtkMatrix4x4> Placement; // from the data's space to the world
   bool HasSamples = false;
   // One component along its own axes, from the first time on that the plane shows it.

@@ -186,6 +186,12 @@ void Model::Load(Request& request, const Progress& progress)
     wanted.Isovalue = std::clamp(*wanted.Isovalue, range[0], range[1]);
   }
   wanted.Isovalue = ChooseIsovalue(request.Samples, wanted.Isovalue, Quoted(volume.Name)).Value;
+  request.Coloring = ColorArrays(volume.Data);
+  const ArrayColor& color = wanted.Settings.ColorBy;
+  if (request.Coloring.Has(color.Name, color.Component))
+  {
+    request.Coloring.Range(color.Name, color.Component); // is known then
+  }
   if (!request.IsSameFile)
   {
     request.Mapper = VolumeView::Prepare(volume, wanted.Component, *wanted.Isovalue,
@@ -204,6 +210,7 @@ void Model::Adopt(Request& request)
   this->Ahead = {};
   this->Labels = request.Labels;
   this->View.Show(this->Shown, this->Current.Component, this->Samples.Range, request.Mapper);
+  this->View.Colors.Show(request.Coloring);
   this->View.SetAreLabels(this->CanBeLabels());
   if (!request.Named.empty() && this->CanBeLabels())
   {
@@ -316,6 +323,7 @@ Look Model::Fitted(Look look) const
   {
     look.Labels = this->LabelsFor(look.Labels);
   }
+  look.ColorBy = this->View.Colors.Fitted(look.ColorBy);
   for (std::size_t row = Row::Shading; row < Row::Count; ++row)
   {
     const auto [least, most] = this->RangeOf(AllSettings()[row]);
@@ -327,6 +335,12 @@ Look Model::Fitted(Look look) const
     look.Values[to] = std::max(look.Values[to - 1], look.Values[to]);
   }
   return look;
+}
+
+bool Model::CanColorByArray() const
+{
+  const std::vector<ColorArrays::Item>& all = this->View.Colors.Arrays().All();
+  return this->DrawsSurfaces() && (all.size() > 1 || (!all.empty() && all[0].Components > 1));
 }
 
 // Those that are known, and the data's, with colours of their own.

@@ -3,6 +3,7 @@
 #ifndef Model_h
 #define Model_h
 
+#include "Files/ColorArrays.h"
 #include "Files/Volume.h"
 #include "Model/Session.h"
 #include "Model/VolumeView.h"
@@ -20,6 +21,7 @@ struct Request
   std::vector<int> Labels = {}; // whole numbers of the samples, ascending, if they may be labels
   std::vector<LabelLook> Named = {}; // labels that a file beside the volume tells
   VolumeView::Mapping Mapper = {};   // may be null
+  ColorArrays Coloring = {};
 };
 
 // What is shown, and what can be done with it. It knows nothing of windows and widgets.
@@ -76,6 +78,18 @@ public:
   bool HasNodes() const { return this->Blends() && !this->Projects(); }
   bool HasMarkers() const { return !this->Projects() && !this->DrawsLabels(); }
   bool CanShowCut() const { return this->View.CanShowCut(); }
+  // Surfaces or labels have the colours of another array.
+  bool ColorsByArray() const
+  {
+    return this->DrawsSurfaces() && !this->Settings().ColorBy.Name.empty();
+  }
+  bool CanColorByArray() const; // there is another one, or another component
+  // Surfaces, nodes, or the samples on the plane have its colours.
+  bool ShowsPalette() const
+  {
+    return this->HasMarkers() &&
+      (!this->ColorsByArray() || this->Settings().Choice(Row::Cut) == OnCut::Colors);
+  }
   bool HasGreys() const
   {
     return this->Projects() ||

@@ -129,6 +129,14 @@ public:
   {
     this->TakeRows(markers, [=](Line& row, Marker& marker) { row.Take(marker, areSurfaces); });
   }
+  // The component alone: the name has a line of its own.
+  void Take(ArrayColor& color)
+  {
+    if (this->IsRead || !color.Name.empty())
+    {
+      this->Take(color.Component, -1, 4095);
+    }
+  }
   void Take(std::vector<LabelLook>& labels)
   {
     this->TakeRows(labels,
@@ -245,6 +253,8 @@ std::vector<Field> FieldsOf(Session& session)
     { "opacity", [&](Line& line) { line.Take(look.Nodes, false); } },
     { "greys", [&](Line& line) { line.Take(look.Greys, false); } },
     { "labels", [&](Line& line) { line.Take(look.Labels); } },
+    { "color-by", [&](Line& line) { line.Take(look.ColorBy.Name); } },
+    { "color-by-component", [&](Line& line) { line.Take(look.ColorBy); } },
     { "clip",
       [&](Line& line)
       { line.TakeIf(look.Values[Row::Clipping], look.Clip.Origin, look.Clip.Normal); } },

@@ -45,12 +45,18 @@ std::vector<const char*> NamesOfPresets()
   return names;
 }
 
+double PlaceOfPalette(const std::string& name)
+{
+  const std::vector<const char*> names = PaletteNames();
+  return static_cast<double>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 std::vector<Setting> MakeTable()
 {
   const std::vector<const char*> onOff = { "off", "on" };
   return {
     { "palette", "Colours", "colours over the values", "Surfaces", 'P', PaletteNames(),
-      &Model::HasMarkers },
+      &Model::ShowsPalette },
     { "material", "Material", "material: matt or glossy", "Light", 'M', MaterialNames() },
     { "light", "Light", "light: where it comes from", "Light", 'L', LightNames() },
     { "surface", "Surface", "open surface or capped solid", "Surfaces", 'V', { "open", "solid" },
@@ -98,6 +104,8 @@ std::vector<Setting> MakeTable()
     { "color-bar", "Colour bar", "which value has which colour", "Scene", '9', onOff },
     { "transparency", "Transparent pictures", "saved pictures have no background", "Scene", '\0',
       onOff },
+    { "color-map", "Colour map", "colours over the values of the array that colours surfaces",
+      "Surfaces", '\0', PaletteNames(), &Model::ColorsByArray, PlaceOfPalette("cool-warm") },
     { "", "", "", "", '\0', onOff },
     Reflection("Ambient", "light from everywhere", 1.0),
     Reflection("Diffuse", "light that shows the shape", 1.0),

@@ -46,6 +46,7 @@ struct Row
     ScaleBar,
     ColorBar,
     Transparency,                  // of saved pictures
+    ColorMap,                      // of an array that gives surfaces their colours
     OwnShading,                    // else it is that of the material
     Shading,                       // ambient, diffuse, specular, power
     OcclusionRadius = Shading + 4, // as a share of the longest edge
@@ -114,6 +115,13 @@ struct LabelLook
   }
 };
 
+// The array whose values give surfaces, or labels, their colours.
+struct ArrayColor
+{
+  std::string Name;  // empty: there is none
+  int Component = 0; // -1: the length of vectors
+};
+
 constexpr double SeeThrough = 0.35; // opacity of a surface around another
 
 // The colour of a surface beside others, from the second on.
@@ -151,6 +159,7 @@ struct Look
   std::vector<Marker> Greys;             // of projections: the values of black and of white
   std::vector<LabelLook> Labels;         // of the data, ascending, once they were drawn
   Plane Clip;
+  ArrayColor ColorBy;
 };
 
 // A row of the table of settings: one of a few values, or a number. Panels, menus, keys, names of

@@ -326,7 +326,8 @@ void VolumeView::Apply(Look& look)
     this->Clip->SetNormal(look.Clip.Normal.data());
     this->Mapper->AddClippingPlane(this->Clip);
   }
-  this->Beside.Apply(look, property->GetRGBTransferFunction());
+  this->Colors.Apply(look, areSurfaces, this->Mapper);
+  this->Beside.Apply(look, property->GetRGBTransferFunction(), this->Colors.Key());
 }
 
 // Sums end at white, so that their brightness has to come from the density.

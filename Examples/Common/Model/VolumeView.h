@@ -5,6 +5,7 @@
 
 #include "Files/VolumeReader.h"
 #include "Model/Annotations.h"
+#include "Model/ArrayColors.h"
 #include "Model/Session.h"
 
 #include <vtkImageData.h>
@@ -88,6 +89,7 @@ public:
 
   vtkNew<vtkRenderer> Renderer;
   Mapping Mapper;
+  ArrayColors Colors; // by another array
 
 private:
   void SetProjection(bool isParallel);

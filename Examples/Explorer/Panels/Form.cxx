@@ -77,14 +77,19 @@ void Form::AddSetting(const Setting& setting)
   widget->setObjectName(setting.IsChoice() ? setting.Name : label.toLower());
   this->Add(widget, setting.Key ? tr("%1 (%2)").arg(help).arg(setting.Key) : help,
     qobject_cast<QCheckBox*>(widget) ? "" : label);
+  this->ShowWhile(widget, [this, &setting] { return this->Bench.Data.Offers(setting); });
+}
+
+void Form::ShowWhile(QWidget* widget, const std::function<bool()>& isOffered)
+{
   this->OnChange(
-    [this, widget, &setting]
+    [this, widget, isOffered]
     {
-      const bool isOffered = this->Bench.Data.Offers(setting);
-      widget->setVisible(isOffered);
+      const bool isSeen = isOffered();
+      widget->setVisible(isSeen);
       if (QWidget* left = this->Rows->labelForField(widget))
       {
-        left->setVisible(isOffered);
+        left->setVisible(isSeen);
       }
     });
 }

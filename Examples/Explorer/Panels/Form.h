@@ -22,6 +22,7 @@ public:
   QWidget* AddButtons(const QList<QAction*>& actions); // side by side
   // Over the whole width where there is no label.
   void Add(QWidget* widget, const QString& help = "", const QString& label = "");
+  void ShowWhile(QWidget* widget, const std::function<bool()>& isOffered); // and its label
   void OnChange(const std::function<void()>& refresh); // soon after, and not too often
 
 private:

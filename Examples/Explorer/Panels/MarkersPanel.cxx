@@ -64,8 +64,8 @@ public:
     const bool areSurfaces = this->Bench.Data.DrawsSurfaces();
     this->setHorizontalHeaderLabels(
       { areSurfaces ? tr("Isovalue") : tr("Value"), tr("Colour"), tr("Opacity") });
-    // Black and white are what they are.
-    this->setColumnHidden(Colour, this->Bench.Data.Projects());
+    // Black and white are what they are, and an array gives one surface many colours.
+    this->setColumnHidden(Colour, this->Bench.Data.Projects() || this->Bench.Data.ColorsByArray());
     this->setColumnHidden(Opacity, this->Bench.Data.Projects());
     this->setRowCount(static_cast<int>(this->Bench.Markers().size()));
     int row = 0;
@@ -160,5 +160,6 @@ QWidget* MakeMarkersPanel(
   form->AddSetting(AllSettings()[Row::Brightness]);
   form->AddSetting(AllSettings()[Row::Surface]);
   form->AddSetting(AllSettings()[Row::Palette]);
+  AddArrayColors(*form, bench);
   return form;
 }

@@ -15,7 +15,9 @@ class Workbench;
 // for a file with names of labels.
 QWidget* MakeMarkersPanel(
   Workbench& bench, const QList<QAction*>& buttons, const QList<QAction*>& colors, QAction* names);
-void AddLabels(Form& form, Workbench& bench, QAction* names); // a part of that panel
+// Parts of that panel.
+void AddLabels(Form& form, Workbench& bench, QAction* names);
+void AddArrayColors(Form& form, Workbench& bench);
 QWidget* MakeLightPanel(Workbench& bench);
 QWidget* MakeClippingPanel(Workbench& bench);
 QWidget* MakeScenePanel(Workbench& bench); // what is beside the volume, and pictures

@@ -150,7 +150,7 @@ public:
   }
 
 private:
-  /// One bit for each leaf of a node that may have samples in a solid.
+  /// The leaves of a node that may have samples in a solid, one bit each.
   std::uint64_t SolidLeaves(std::int64_t node) const
   {
     if (this->Labels)

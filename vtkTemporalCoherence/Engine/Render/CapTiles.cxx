@@ -150,7 +150,7 @@ public:
   }
 
 private:
-  /// The leaves of a node that may have samples in a solid, one bit each.
+  /// Bits of a node's leaves whose samples may reach into solids.
   std::uint64_t SolidLeaves(std::int64_t node) const
   {
     if (this->Labels)

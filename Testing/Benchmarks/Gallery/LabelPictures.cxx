@@ -104,7 +104,7 @@ Shot Methane(GallerySettings& settings)
     mesh = SampleMeshes::Load("tetrahedra12");
     AddMethane(mesh);
   }
-  const Style::View view = { { -1.0, -1.6, 0.5 }, { 0.0, 0.0, 1.0 }, 1.7 };
+  const Style::View view = { { -1.0, -1.6, 0.5 }, { 0.0, 0.0, 1.0 }, 1.4 };
   FeatureScene scene(settings, mesh, isReactor ? "reactor, 7472 hexahedra" : "10368 tetrahedra",
     isReactor ? view : Style::View());
   scene.Show({ { isReactor ? 330.0 : 0.6, Style::Steel, 1.0 } });

@@ -362,6 +362,7 @@ void RequestFromMapper::Release()
   this->Fields.Release();
   this->Labels.Release();
   this->LabelLooks.Release();
+  this->ArrayLooks = {};
 }
 
 }

@@ -56,23 +56,14 @@ std::uint64_t ActiveCells::CellsIn(const FieldShape& shape, const glm::ivec3& fi
 /// One bit for each leaf of a node in which the bands of some values count.
 std::uint64_t ActiveCells::LeavesThatCount(const SeenValues& values, std::int64_t node)
 {
-  if (!values.Labels)
-  {
-    return ~std::uint64_t(0);
-  }
-  const LabelSets& labels = *values.Labels;
-  return labels.LeavesWith(
-    labels.BitsOf(node, [&](std::int64_t label) { return values.CountFor->Has(label); }), node);
+  return values.Labels ? values.Labels->LeavesWith(*values.CountFor, node) : ~std::uint64_t(0);
 }
 
 /// One bit for each leaf of a node that has several labels, some of which are drawn.
 std::uint64_t ActiveCells::LeavesWithLabels(const LabelIndex& drawn, std::int64_t node) const
 {
   const std::uint64_t mixed = this->Labels->MixedLeaves(node);
-  return mixed == 0 ? 0
-                    : mixed &
-      this->Labels->LeavesWith(
-        this->Labels->BitsOf(node, [&](std::int64_t label) { return drawn.Has(label); }), node);
+  return mixed == 0 ? 0 : mixed & this->Labels->LeavesWith(drawn, node);
 }
 
 void ActiveCells::Build(const Field& field, const ValueRangePyramid& pyramid,

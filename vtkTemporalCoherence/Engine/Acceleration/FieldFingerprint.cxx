@@ -100,54 +100,21 @@ void HashRow(const TypedField<T>& field, int from, int end, const glm::ivec2& no
   }
 }
 
-}
-
-FieldFingerprint FingerprintOf(const Field& field)
-{
-  const glm::ivec3 nodes = ValueRangePyramid::NodesFor(field.Dimensions);
-  FieldFingerprint print;
-  print.Samples = field;
-  print.Nodes.resize(static_cast<std::size_t>(nodes.x) * static_cast<std::size_t>(nodes.y) *
-    static_cast<std::size_t>(nodes.z));
-  DispatchScalarType(field.Type,
-    [&](auto type)
-    {
-      const TypedField<decltype(type)> samples(field);
-      ParallelFor(static_cast<std::int64_t>(nodes.y) * nodes.z, 1,
-        [&](std::int64_t row)
-        {
-          HashRow(samples, 0, nodes.x, { row % nodes.y, row / nodes.y }, nodes,
-            print.Nodes.data() + row * nodes.x);
-        });
-    });
-  return print;
-}
-
-namespace
-{
-
-/// Call visit(row, first node along x, end) for the rows of nodes that hold samples of a box.
-template <typename Visit>
-void VisitRows(const SampleBox& box, const glm::ivec3& nodes, const Visit& visit)
-{
-  // The last node of a row may hold one sample more than the others.
-  const glm::ivec3 first = glm::min(box.First / NodeSize, nodes - 1);
-  const glm::ivec3 last = glm::min(box.Last / NodeSize, nodes - 1);
-  for (int k = first.z; k <= last.z; ++k)
-  {
-    for (int j = first.y; j <= last.y; ++j)
-    {
-      visit(j + static_cast<std::int64_t>(nodes.y) * k, first.x, last.x + 1);
-    }
-  }
-}
-
 /// A row of nodes to hash, from one node along x up to another.
 struct RowToHash
 {
   int First = std::numeric_limits<int>::max(), End = 0;
 };
 
+}
+
+FieldFingerprint FingerprintOf(const Field& field)
+{
+  const glm::ivec3 nodes = ValueRangePyramid::NodesFor(field.Dimensions);
+  FieldFingerprint none;
+  none.Nodes.resize(static_cast<std::size_t>(nodes.x) * static_cast<std::size_t>(nodes.y) *
+    static_cast<std::size_t>(nodes.z));
+  return FingerprintOf(field, none, { { glm::ivec3(0), field.Dimensions - 1 } });
 }
 
 FieldFingerprint FingerprintOf(
@@ -159,12 +126,17 @@ FieldFingerprint FingerprintOf(
     static_cast<std::size_t>(nodes.y) * static_cast<std::size_t>(nodes.z));
   for (const SampleBox& box : within)
   {
-    VisitRows(box, nodes,
-      [&](std::int64_t row, int first, int end)
+    // The last node of a row may hold one sample more than the others.
+    const glm::ivec3 first = glm::min(box.First / NodeSize, nodes - 1);
+    const glm::ivec3 end = glm::min(box.Last / NodeSize + 1, nodes);
+    for (int k = first.z; k < end.z; ++k)
+    {
+      for (int j = first.y; j < end.y; ++j)
       {
-        RowToHash& toHash = rows[static_cast<std::size_t>(row)];
-        toHash = { std::min(toHash.First, first), std::max(toHash.End, end) };
-      });
+        RowToHash& row = rows[static_cast<std::size_t>(j + static_cast<std::int64_t>(nodes.y) * k)];
+        row = { std::min(row.First, first.x), std::max(row.End, end.x) };
+      }
+    }
   }
   DispatchScalarType(field.Type,
     [&](auto type)

@@ -155,8 +155,7 @@ private:
   {
     if (this->Labels)
     {
-      const auto isDrawn = [this](std::int64_t label) { return this->Drawn.Has(label); };
-      return this->Labels->LeavesWith(this->Labels->BitsOf(node, isDrawn), node);
+      return this->Labels->LeavesWith(this->Drawn, node);
     }
     const auto mayBe = [this](const ValueRangePyramid::Range<T>& range)
     { return static_cast<double>(range.Max) >= this->Lowest; };

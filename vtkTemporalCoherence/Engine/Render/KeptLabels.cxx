@@ -17,6 +17,12 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+/// All pixels of a part of the picture, one bit each.
+std::uint64_t All(const PixelRect& part)
+{
+  return ~std::uint64_t(0) >> (64 - part.Size.x * part.Size.y);
+}
+
 /// Surfaces of all labels but some.
 Surfaces Without(const std::vector<double>& labels, const Surfaces& all)
 {
@@ -86,12 +92,12 @@ std::uint64_t KeptLabels::ToTrace(std::int64_t tile, const PixelRect& part) cons
 {
   if (this->Changes && !this->Changes->CanCopy(tile))
   {
-    return ~std::uint64_t(0) >> (64 - part.Size.x * part.Size.y);
+    return All(part);
   }
   const double added = this->NearestAdded[static_cast<std::size_t>(tile)];
   if (this->Last.ClearTiles[static_cast<std::size_t>(tile)])
   {
-    return added < Infinity ? ~std::uint64_t(0) >> (64 - part.Size.x * part.Size.y) : 0;
+    return added < Infinity ? All(part) : 0;
   }
   std::uint64_t which = 0;
   std::size_t bit = 0;

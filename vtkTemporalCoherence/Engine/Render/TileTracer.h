@@ -43,9 +43,7 @@ public:
   TraceCounts Trace(std::int64_t tile, const PixelRect& part, Frame& frame, TileHits& found) const;
 
   /// Trace some rays of a tile, one bit each, without a hint.
-  /// \param before a picture of the same rays, which meet nothing until they meet what it shows;
-  /// may
-  ///               be null
+  /// \param before a picture of these rays, which meet nothing before what it shows; may be null
   TraceCounts TraceSome(std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame,
     const Frame* before = nullptr) const;
 

@@ -3,6 +3,7 @@
 #include "Scene/LabelSets.h"
 
 #include "Scene/Field.h"
+#include "Scene/LabelIndex.h"
 #include "Scene/Parallel.h"
 
 #include <algorithm>
@@ -205,6 +206,12 @@ void LabelSets::Scan(const Field& field, const std::vector<std::int64_t>& nodes)
   {
     throw std::bad_alloc();
   }
+}
+
+std::uint64_t LabelSets::LeavesWith(const LabelIndex& labels, std::int64_t node) const
+{
+  const auto areAmong = [&](std::int64_t label) { return labels.Has(label); };
+  return this->LeavesWith(this->BitsOf(node, areAmong), node);
 }
 
 /// Find the labels of all nodes.

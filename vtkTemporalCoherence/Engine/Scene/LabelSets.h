@@ -15,6 +15,7 @@
 namespace TemporalCoherence
 {
 
+class LabelIndex;
 struct Field;
 
 /// Which labels a field has, and where: a set of labels for each leaf of cells. A label is a whole
@@ -87,6 +88,9 @@ public:
     }
     return found;
   }
+
+  /// The leaves of a node whose sets have labels of an index, one bit each.
+  std::uint64_t LeavesWith(const LabelIndex& labels, std::int64_t node) const;
 
   /// One bit for each leaf of a node that has several labels.
   std::uint64_t MixedLeaves(std::int64_t node) const { return this->LeavesWith(Several, node); }

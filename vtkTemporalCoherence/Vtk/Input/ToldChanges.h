@@ -17,8 +17,8 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-// Who writes into the samples of an image may tell where. The array keeps that in its information,
-// so that all mappers of the image know. Nothing of it is written to files.
+// A program that writes into the samples of an image may tell where it wrote. The array keeps these
+// extents in its information, where all mappers of the image find them. Files do not hold them.
 
 /// Call Modified() of an array of an image, and keep that only values within an extent changed.
 /// \param array  of points or cells; null: the active scalars

@@ -4,6 +4,7 @@
 #define TemporalCoherence_Field_h
 
 #include "Scene/FieldShape.h"
+#include "Scene/ScalarType.h"
 
 #include <glm/glm.hpp>
 
@@ -17,21 +18,6 @@ namespace TemporalCoherence
 
 class HiddenCells;
 class LabelSets;
-
-/// The type of one sample in memory.
-enum class ScalarType : std::uint8_t
-{
-  Int8,
-  UInt8,
-  Int16,
-  UInt16,
-  Int32,
-  UInt32,
-  Int64,
-  UInt64,
-  Float32,
-  Float64
-};
 
 /// How the field continues between samples.
 enum class Interpolation : std::uint8_t
@@ -156,36 +142,6 @@ struct NarrowSamples
 /// the mantissa to spare for interpolation; all others need double.
 template <typename T>
 using RealOf = std::conditional_t<sizeof(T) <= 2, float, double>;
-
-/// Call `function(T{})` with T the C++ type of `type`.
-template <typename Function>
-decltype(auto) DispatchScalarType(ScalarType type, Function&& function)
-{
-  switch (type)
-  {
-    case ScalarType::Int8:
-      return function(std::int8_t{});
-    case ScalarType::UInt8:
-      return function(std::uint8_t{});
-    case ScalarType::Int16:
-      return function(std::int16_t{});
-    case ScalarType::UInt16:
-      return function(std::uint16_t{});
-    case ScalarType::Int32:
-      return function(std::int32_t{});
-    case ScalarType::UInt32:
-      return function(std::uint32_t{});
-    case ScalarType::Int64:
-      return function(std::int64_t{});
-    case ScalarType::UInt64:
-      return function(std::uint64_t{});
-    case ScalarType::Float32:
-      return function(float{});
-    case ScalarType::Float64:
-      break;
-  }
-  return function(double{});
-}
 
 }
 

@@ -4,6 +4,8 @@ find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
 
 set(engine_files
+  Bricks/BrickCache
+  Bricks/SampleUse
   Scene/FieldShape
   Scene/FrameKey
   Scene/FramePlanes
@@ -19,6 +21,7 @@ set(engine_files
   Acceleration/FieldStructures
   Acceleration/FiniteRange
   Acceleration/KernelsPyramid
+  Acceleration/RangeScan
   Acceleration/RareValues
   Acceleration/SampleComparer
   Acceleration/TileBounds
@@ -190,6 +193,16 @@ foreach (files IN ITEMS engine_files volume_files)
 endforeach ()
 
 set(bridge_files
+  OutOfCore/BrickArray
+  OutOfCore/ChunkBricks
+  OutOfCore/ChunkCache
+  OutOfCore/FileRoom
+  OutOfCore/OutOfCoreVolume
+  OutOfCore/RangesFile
+  OutOfCore/ReadAhead
+  OutOfCore/SampleHash
+  OutOfCore/StreamedRanges
+  OutOfCore/VolumeOpener
   Input/BlockCopy
   Input/CellOrigins
   Input/FieldFromImage
@@ -315,6 +328,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/BlendingTime.cxx"
     "${module_directory}/GpuMapperSettings.cxx"
     "${module_directory}/SettingsFromMapper.cxx"
+    "${module_directory}/vtkTemporalCoherenceBrickSource.cxx"
     "${module_directory}/vtkTemporalCoherenceDropInMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceGPUVolumeRayCastMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceObjectFactory.cxx"
@@ -335,6 +349,7 @@ vtk_module_add_module(VTK::TemporalCoherence
   NOWRAP_HEADERS
     "${module_directory}/vtkTemporalCoherenceCompatibility.h"
   HEADERS
+    "${module_directory}/vtkTemporalCoherenceBrickSource.h"
     "${module_directory}/vtkTemporalCoherenceDropInMapper.h"
     "${module_directory}/vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
     "${module_directory}/vtkTemporalCoherenceObjectFactory.h"

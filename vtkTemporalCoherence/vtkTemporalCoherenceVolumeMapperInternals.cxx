@@ -117,6 +117,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
   options.Light.AtOnce = !window && !this->Self->ProgressiveImages;
   options.Fewer = fewer;
   bool isMade = false;
+  const std::uint64_t begin = TemporalCoherence::SampleUse::Now();
   {
     const Busy busy(*this);
     isMade = this->Frames.Render(
@@ -132,6 +133,12 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
       }
       this->LastError.clear();
     }
+  }
+  for (const auto& read : request.Volumes)
+  {
+    error = error.empty() ? read->TakeMistake() : error;
+    read->Follow(
+      request.Key.IsBlended() ? std::vector<double>() : request.Key.Isosurfaces().Isovalues, begin);
   }
   this->ReportOnce(error);
   return isMade;

@@ -8,7 +8,9 @@
 #include "Scene/Parallel.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
+#include <new>
 #include <utility>
 
 namespace TemporalCoherence
@@ -44,6 +46,17 @@ double HighestActive(const Field& field, double isovalue, SurfaceMode mode)
   return mode == SurfaceMode::Threshold && field.Shape->Abilities().IsMesh
     ? std::numeric_limits<double>::infinity()
     : isovalue;
+}
+
+/// Words that are 0. The system gives memory only for those that are written.
+std::shared_ptr<std::atomic<std::uint64_t>[]> EmptyWords(std::size_t count)
+{
+  void* const words = std::calloc(std::max(count, std::size_t(1)), sizeof(std::uint64_t));
+  if (!words)
+  {
+    throw std::bad_alloc();
+  }
+  return { static_cast<std::atomic<std::uint64_t>*>(words), std::free };
 }
 
 }
@@ -202,9 +215,7 @@ void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyrami
     this->NodeWords[static_cast<std::size_t>(2 * node + 1)] = words;
     words += this->HasWords(node) ? ValueRangePyramid::LeavesPerNode : 0;
   }
-  this->LeafWords = last ? last->LeafWords
-                         : std::shared_ptr<std::atomic<std::uint64_t>[]>(
-                             new std::atomic<std::uint64_t>[static_cast<std::size_t>(words)]());
+  this->LeafWords = last ? last->LeafWords : EmptyWords(static_cast<std::size_t>(words));
   this->NumberOfLeafWords = words;
   this->FindLevelsAbove(pyramid.NodeDimensions());
 }

@@ -113,6 +113,10 @@ public:
       // An active leaf has an active cell, so that 0 can mean "not yet known". One with several
       // labels may have none: a superfluous active cell does no harm.
       cells = std::max(this->FindCells(field, cell & ~3), std::uint64_t(1));
+      if (field.Bricks && SampleUse::HasMissed())
+      {
+        return cells; // made from samples that stand for others
+      }
       word.store(cells, std::memory_order_relaxed);
     }
     return cells;

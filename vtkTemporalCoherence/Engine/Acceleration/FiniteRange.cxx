@@ -86,6 +86,10 @@ Range<T> FiniteRangeOfRow(const T* row, int count, std::int64_t stride)
 
 glm::dvec2 FindFiniteRange(const Field& field)
 {
+  if (field.Known)
+  {
+    return field.Known->Finite;
+  }
   return DispatchScalarType(field.Type,
     [&](auto type)
     {

@@ -15,6 +15,10 @@ bool AreRareBeyond(const Field& field, const glm::dvec2& range, const glm::dvec2
   constexpr double golden = 0.6180339887498949; // multiples are spread evenly, across all axes
   const glm::i64vec3 size(field.Dimensions);
   const std::int64_t count = size.x * size.y * size.z;
+  if (field.Known)
+  {
+    return false; // samples all over a file are not read for this
+  }
   std::int64_t within = 0, beyond = 0;
   DispatchScalarType(field.Type,
     [&](auto type)

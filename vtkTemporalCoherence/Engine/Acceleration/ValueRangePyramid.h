@@ -4,13 +4,14 @@
 #define TemporalCoherence_ValueRangePyramid_h
 
 #include "Scene/CellBlocks.h"
-#include "Scene/DefaultInitAllocator.h"
 #include "Scene/Field.h"
+#include "Scene/KnownRanges.h"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -46,15 +47,15 @@ public:
     }
   }
 
-  /// Read the whole field once, in parallel. For a field without samples, its kind provides the
-  /// ranges. Those of labels come from LabelSets: leaves have the range of their node.
-  /// \pre field.HasCells()
-  /// \throws std::bad_alloc; the pyramid is then empty
+  /// Read the whole field once, in parallel, unless its ranges are known (Field::Known). For a
+  /// field without samples, its kind provides the ranges. Those of labels come from LabelSets:
+  /// leaves have the range of their node. \pre field.HasCells() \throws std::bad_alloc; the pyramid
+  /// is then empty
   void Build(const Field& field);
 
   void Release();
 
-  bool IsEmpty() const { return this->Bytes.empty(); }
+  bool IsEmpty() const { return !this->Ranges.Bytes; }
 
   /// Nodes along each axis.
   const glm::ivec3& NodeDimensions() const { return this->Nodes; }
@@ -68,7 +69,7 @@ public:
   template <typename T>
   const Range<T>* LeavesOf(std::int64_t node) const
   {
-    return reinterpret_cast<const Range<T>*>(this->Bytes.data()) + node * LeavesPerNode;
+    return reinterpret_cast<const Range<T>*>(this->Ranges.Bytes.get()) + node * LeavesPerNode;
   }
 
   /// Range of all leaves of a node.
@@ -79,28 +80,30 @@ public:
   }
 
   /// Smallest and largest finite sample of the whole field; {0, 0} if there is none.
-  const glm::dvec2& FiniteRange() const { return this->Finite; }
+  const glm::dvec2& FiniteRange() const { return this->Ranges.Finite; }
 
   /// True if some sample is finite.
-  bool HasFiniteSamples() const { return this->HasFinite; }
+  bool HasFiniteSamples() const { return this->Ranges.HasFinite; }
 
   /// Smallest and largest of all samples, including infinities. The first is larger than the second
   /// if no sample is a number. {0, 0} before ranges are built.
-  const glm::dvec2& WholeRange() const { return this->Whole; }
+  const glm::dvec2& WholeRange() const { return this->Ranges.Whole; }
 
   /// For each node, a word with one bit for each leaf that has NaN samples. Empty if no sample is
   /// NaN, and for a field without samples.
-  const std::vector<std::uint64_t>& LeavesWithNaN() const { return this->WithNaN; }
+  const std::vector<std::uint64_t>& LeavesWithNaN() const { return this->Ranges.LeavesWithNaN; }
 
   /// True if every sample is a finite number.
   bool AreSamplesFinite() const
   {
-    return this->WithNaN.empty() && std::isfinite(this->Whole.x) && std::isfinite(this->Whole.y);
+    return this->Ranges.LeavesWithNaN.empty() && std::isfinite(this->Ranges.Whole.x) &&
+      std::isfinite(this->Ranges.Whole.y);
   }
 
+  /// Bytes of memory; those of a mapped file do not count.
   std::size_t MemoryInBytes() const
   {
-    return this->Bytes.capacity() + sizeof(std::uint64_t) * this->WithNaN.capacity();
+    return this->OwnBytes + sizeof(std::uint64_t) * this->Ranges.LeavesWithNaN.capacity();
   }
 
 private:
@@ -108,13 +111,12 @@ private:
   template <typename T>
   void BuildFromLabels(const Field& field);
 
-  using Room = std::vector<std::byte, DefaultInitAllocator<std::byte>>;
+  std::shared_ptr<std::byte> MakeRoom(std::size_t bytes);
+  void Take(KnownRanges known, const glm::ivec3& nodes);
 
-  Room Bytes; ///< the leaves of all nodes, and then the nodes
   glm::ivec3 Nodes{ 0 };
-  glm::dvec2 Finite{ 0.0 }, Whole{ 0.0 };
-  bool HasFinite = false;
-  std::vector<std::uint64_t> WithNaN;
+  KnownRanges Ranges;
+  std::size_t OwnBytes = 0; ///< of the ranges, unless the field brought them
 };
 
 }

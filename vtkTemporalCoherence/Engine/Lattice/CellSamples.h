@@ -18,11 +18,12 @@ template <typename T>
 void PrefetchAround(const TypedField<T>& samples, const glm::ivec3& cell)
 {
   const glm::ivec3 last = samples.Dimensions - 1;
+  const T* const origin = samples.At(cell);
   for (int k = std::max(cell.z - 1, 0); k <= std::min(cell.z + 2, last.z); ++k)
   {
     for (int j = std::max(cell.y - 1, 0); j <= std::min(cell.y + 2, last.y); ++j)
     {
-      hwy::Prefetch(samples.At(cell.x, j, k));
+      hwy::Prefetch(origin + (j - cell.y) * samples.Strides.y + (k - cell.z) * samples.Strides.z);
     }
   }
 }

@@ -114,6 +114,7 @@ bool FrameRenderer::Render(
   }
   this->TimeToBuild = statistics.IsomapBuildTime;
   this->OfLastFrame = statistics;
+  SampleUse::End();
   return true;
 }
 

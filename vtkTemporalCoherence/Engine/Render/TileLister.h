@@ -131,6 +131,7 @@ private:
   {
     std::int64_t nanoseconds = 0;
     TraceCounts counts;
+    SampleUse::Renew();
     {
       const TileTimer timer(tile, nanoseconds);
       counts = work(tile, PixelsOfTile(this->Made.Size, tile), this->Made);

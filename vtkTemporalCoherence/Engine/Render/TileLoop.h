@@ -27,6 +27,7 @@ void CountGroup(const glm::ivec2& size, std::size_t group, TraceCounts& counts, 
   for (std::int64_t tile = tiles.First; tile < tiles.End; ++tile)
   {
     std::int64_t nanoseconds = 0;
+    SampleUse::Renew();
     {
       const TileTimer timer(tile, nanoseconds);
       counts += work(tile, PixelsOfTile(size, tile));

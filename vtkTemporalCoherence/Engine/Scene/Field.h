@@ -3,7 +3,9 @@
 #ifndef TemporalCoherence_Field_h
 #define TemporalCoherence_Field_h
 
+#include "Bricks/BrickCache.h"
 #include "Scene/FieldShape.h"
+#include "Scene/KnownRanges.h"
 #include "Scene/ScalarType.h"
 
 #include <glm/glm.hpp>
@@ -35,12 +37,18 @@ enum class Interpolation : std::uint8_t
 /// is in it: a rectilinear field has its samples at other coordinates; others may have no samples.
 struct Field
 {
-  const void* Samples = nullptr; ///< address of sample (0, 0, 0) of the chosen component
+  /// Address of sample (0, 0, 0) of the chosen component. Of samples in bricks: of Bricks.
+  const void* Samples = nullptr;
   ScalarType Type = ScalarType::UInt8;
   Interpolation Between = Interpolation::Linear;
   glm::ivec3 Dimensions{ 0 };      ///< samples along each axis
   glm::i64vec3 Strides{ 1, 0, 0 }; ///< scalars from one sample to the next along each axis
   std::uint64_t Stamp = 0;         ///< differs whenever the samples may have changed
+  /// Where samples are that are read from elsewhere when they are needed; else null. The strides
+  /// count within a brick.
+  std::shared_ptr<const BrickCache> Bricks;
+  /// The value ranges, if they are known from elsewhere; else null.
+  std::shared_ptr<const KnownRanges> Known;
   std::shared_ptr<const FieldShape> Shape = UniformShape(); ///< never null
   /// Cells that flags hide, whatever their samples are; null for none.
   std::shared_ptr<const HiddenCells> Flagged;
@@ -91,11 +99,18 @@ struct TypedField
     : Samples(static_cast<const T*>(field.Samples))
     , Dimensions(field.Dimensions)
     , Strides(field.Strides)
+    , Bricks(field.Bricks.get())
   {
   }
 
+  /// The address of a sample. Those from one before it to two behind it along each axis lie at
+  /// Strides from it. Of samples in bricks the address is valid for one SampleUse.
   const T* At(int i, int j, int k) const
   {
+    if (this->Bricks)
+    {
+      return this->Bricks->At<T>(i, j, k);
+    }
     return this->Samples + i * this->Strides.x + j * this->Strides.y + k * this->Strides.z;
   }
   const T* At(const glm::ivec3& s) const { return this->At(s.x, s.y, s.z); }
@@ -103,6 +118,7 @@ struct TypedField
   const T* Samples;
   glm::ivec3 Dimensions;
   glm::i64vec3 Strides;
+  const BrickCache* Bricks; ///< null: all samples lie in one array
 };
 
 /// Integers of 8 or 16 bits that are adjacent along x, for vectors that gather them.
@@ -115,7 +131,7 @@ struct NarrowSamples
   static bool Are(const Field& field)
   {
     const glm::i64vec3& strides = field.Strides;
-    if (sizeof(T) > 2 || strides.x != 1 || strides.y < 0 || strides.z < 0)
+    if (sizeof(T) > 2 || field.Bricks || strides.x != 1 || strides.y < 0 || strides.z < 0)
     {
       return false;
     }

@@ -7,8 +7,11 @@ namespace TemporalCoherence
 
 bool AreAlike(const Field& a, const Field& b)
 {
+  // Samples in files are not read as a whole to find out which of them changed.
   const auto canBeTold = [](const Field& field)
-  { return field.HasCells() && field.Shape->Abilities().TimeSteps && !field.Flagged; };
+  {
+    return field.HasCells() && field.Shape->Abilities().TimeSteps && !field.Flagged && !field.Known;
+  };
   return canBeTold(a) && canBeTold(b) && AreSame(a.Shape, b.Shape) && a.Type == b.Type &&
     a.Between == b.Between && a.Dimensions == b.Dimensions;
 }

@@ -3,6 +3,8 @@
 #ifndef TemporalCoherence_Parallel_h
 #define TemporalCoherence_Parallel_h
 
+#include "Bricks/SampleUse.h"
+
 #include <vtkSMPTools.h>
 
 #include <cstdint>
@@ -12,7 +14,7 @@ namespace TemporalCoherence
 
 /// Call `work(begin, end)` for ranges that make up [0, count), in parallel and in any order. Ranges
 /// have at least min(grain, count) numbers. The work must not throw, and its result must not depend
-/// on the order.
+/// on the order. Each range is a SampleUse.
 template <typename Work>
 void ParallelForRanges(std::int64_t count, std::int64_t grain, const Work& work)
 {
@@ -20,7 +22,10 @@ void ParallelForRanges(std::int64_t count, std::int64_t grain, const Work& work)
   {
     vtkSMPTools::For(0, count, grain,
       [&work](vtkIdType begin, vtkIdType end)
-      { work(static_cast<std::int64_t>(begin), static_cast<std::int64_t>(end)); });
+      {
+        const SampleUse use;
+        work(static_cast<std::int64_t>(begin), static_cast<std::int64_t>(end));
+      });
   }
 }
 

@@ -5,6 +5,8 @@
 #include "Input/MatrixFromVtk.h"
 #include "Input/SamplesOfArray.h"
 #include "Input/VolumePlace.h"
+#include "OutOfCore/BrickArray.h"
+#include "OutOfCore/OutOfCoreVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -50,6 +52,29 @@ bool PlaceImage(
   return error.empty();
 }
 
+/// Make a field of samples that are read when they are needed.
+bool TakeVolume(const OutOfCoreVolume& volume, Field& field, std::string& error)
+{
+  const glm::ivec3& size = volume.Level().Dimensions;
+  if (field.Dimensions != size)
+  {
+    std::ostringstream what;
+    what << "The image has " << field.Dimensions.x << " x " << field.Dimensions.y << " x "
+         << field.Dimensions.z << " samples, but the volume that its array is read from has "
+         << size.x << " x " << size.y << " x " << size.z
+         << "; draw the image that vtkTemporalCoherenceBrickSource gives.";
+    error = what.str();
+    return false;
+  }
+  const glm::i64vec3 inArray(1, size.x, static_cast<std::int64_t>(size.x) * size.y);
+  field.Bricks = volume.Bricks();
+  field.Samples = field.Bricks ? field.Bricks.get() : volume.Mapped();
+  field.Strides = field.Bricks ? BrickCache::Strides() : inArray;
+  field.Type = volume.File().Type();
+  field.Known = volume.Ranges();
+  return true;
+}
+
 }
 
 bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,
@@ -61,16 +86,20 @@ bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int compo
   {
     return false;
   }
-  const ArraySamples samples = SamplesOf(array, component);
   glm::ivec3 dimensions;
   image->GetDimensions(&dimensions.x);
   field.Dimensions = onCells ? glm::max(dimensions - 1, 1) : dimensions;
+  field.Stamp = std::max(image->GetMTime(), array->GetMTime());
+  if (const auto volume = VolumeOf(array))
+  {
+    return TakeVolume(*volume, field, error);
+  }
+  const ArraySamples samples = SamplesOf(array, component);
   field.Samples = samples.First;
   field.Type = samples.Type;
   field.Strides.x = samples.Step;
   field.Strides.y = field.Strides.x * field.Dimensions.x;
   field.Strides.z = field.Strides.y * field.Dimensions.y;
-  field.Stamp = std::max(image->GetMTime(), array->GetMTime());
   return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include "Acceleration/FiniteRange.h"
 #include "Input/ToldChanges.h"
+#include "OutOfCore/BrickArray.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataObjectTree.h>
@@ -60,7 +61,8 @@ bool ImageSource::FindImage(vtkDataObject* data, const ScalarChoice& choice, std
     return false;
   }
   this->Found.Array = dataSet->GetNumberOfPoints() != 0
-    ? this->Arrays.Of(scalars.Array, dataSet->GetMTime())
+    ? (AreInBricks(scalars.Array) ? scalars.Array
+                                  : this->Arrays.Of(scalars.Array, dataSet->GetMTime()))
     : nullptr;
   this->Found.OnCells = scalars.OnCells;
   if (!grid)
@@ -124,6 +126,10 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
   field.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
   field.Told = ToldChanges(found.Array, field.Samples.Dimensions);
   field.Read.emplace_back(found.Array);
+  if (const auto volume = VolumeOf(found.Array))
+  {
+    field.Volumes.push_back(volume);
+  }
   return true;
 }
 

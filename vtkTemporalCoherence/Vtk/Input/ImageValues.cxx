@@ -4,6 +4,7 @@
 
 #include "Input/FieldFromImage.h"
 #include "Kinds/RectilinearKind.h"
+#include "OutOfCore/BrickArray.h"
 #include "Shade/LatticeValues.h"
 
 #include <vtkCompositeDataIterator.h>
@@ -58,7 +59,7 @@ bool ImageValues::Make(vtkDataObject* data, const ArrayChoice& choice, vtkVolume
     error = WhyThereIsNoArray(choice);
     return false;
   }
-  array = this->Arrays.Of(array, dataSet->GetMTime());
+  array = AreInBricks(array) ? array : this->Arrays.Of(array, dataSet->GetMTime());
   if (!HasComponent(array, choice, error))
   {
     return false;

@@ -297,6 +297,7 @@ bool RequestFromMapper::MakeScene(
   request.Cells = field.Cells;
   request.Told = field.Told;
   request.Read = field.Read;
+  request.Volumes = field.Volumes;
   return true;
 }
 

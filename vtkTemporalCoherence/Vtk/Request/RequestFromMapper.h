@@ -74,6 +74,8 @@ struct FrameRequest
 
   /// Keeps the arrays alive if an observer changes the mapper's input meanwhile.
   std::vector<vtkSmartPointer<vtkObjectBase>> Read;
+  /// Volumes that these arrays are read from when samples are needed.
+  std::vector<std::shared_ptr<const OutOfCoreVolume>> Volumes;
 };
 
 /// Reads the complete input of a frame from a mapper, a volume and a renderer, and keeps arrays

@@ -72,6 +72,11 @@ public:
   /// without gaps, in this machine's byte order, aligned to their size. Null for other levels.
   virtual const void* MappedSamples(std::size_t /*level*/) const { return nullptr; }
 
+  /// True once samples could not be read through MappedSamples: the file became shorter. They are
+  /// zeros then.
+  /// \param error receives what is wrong, in one sentence
+  virtual bool HasFailed(std::string& /*error*/) const { return false; }
+
   /// A text that differs if the volume's samples may have changed: names, sizes and modification
   /// times of files, and what was chosen.
   virtual std::string Identity() const = 0;

@@ -22,13 +22,22 @@ public:
     : Samples(samples)
     , Low(low)
     , PerValue(perValue)
+    , Scale{ static_cast<float>(perValue), static_cast<float>(-low * perValue) }
     , AreNarrow(sizeof(T) <= 2 && samples.HasCells() && NarrowSamples<T>::Are(samples))
   {
   }
 
   float BinOf(T sample) const
   {
-    return static_cast<float>((static_cast<double>(sample) - this->Low) * this->PerValue);
+    if constexpr (sizeof(T) <= 2)
+    {
+      // As kernels do it, so that it does not matter where samples lie.
+      return static_cast<float>(sample) * this->Scale.PerValue + this->Scale.Shift;
+    }
+    else
+    {
+      return static_cast<float>((static_cast<double>(sample) - this->Low) * this->PerValue);
+    }
   }
 
   /// Append the segments of a row of cells.
@@ -39,9 +48,8 @@ public:
     {
       if (this->AreNarrow)
       {
-        const SegmentsKernels::BinScale scale{ static_cast<float>(this->PerValue),
-          static_cast<float>(-this->Low * this->PerValue) };
-        SegmentsKernels::FindSegments(row, NarrowSamples<T>(this->Samples), scale, seen, segments);
+        SegmentsKernels::FindSegments(
+          row, NarrowSamples<T>(this->Samples), this->Scale, seen, segments);
         return;
       }
     }
@@ -78,6 +86,7 @@ private:
 
   const Field& Samples;
   double Low, PerValue;
+  SegmentsKernels::BinScale Scale;
   bool AreNarrow;
 };
 

@@ -175,7 +175,7 @@ private:
   HWY_INLINE void ReadInside(const glm::ivec3& cell, Around& around) const
   {
     const std::int64_t slice = this->Samples.Strides.z;
-    const T* const from = this->Samples.At(cell - 1);
+    const T* const from = this->Samples.At(cell) - 1 - this->Samples.Strides.y - slice;
     // No gradient needs the edges of the block.
     this->template ReadRows<1, 2>(from, around.All);
     this->template ReadRows<0, 3>(from + slice, around.All + 16);

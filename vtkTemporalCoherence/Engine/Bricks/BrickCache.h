@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_BrickCache_h
+#define TemporalCoherence_BrickCache_h
+
+#include "Bricks/BrickReader.h"
+#include "Bricks/SampleUse.h"
+
+#include <glm/glm.hpp>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// The samples of a volume, in bricks that are read when they are needed, and dropped when memory
+/// is short: the least recently used ones first.
+///
+/// A brick owns 32^3 cells. It also holds the samples around them that gradients need, one before
+/// and two behind along each axis. So code that has the address of a cell's first sample finds all
+/// samples that the cell needs at constant strides, whichever brick it is in.
+class BrickCache
+{
+public:
+  static constexpr int Cells = 32; ///< of a brick along each axis
+  static constexpr int Before = 1; ///< samples before the first cell
+  static constexpr int Edge = 35;  ///< samples along each axis
+  static constexpr int Behind = 2; ///< samples after the last cell's first sample, besides it
+
+  /// \param dimensions samples of the volume along each axis
+  /// \param sampleSize bytes of a sample
+  /// \throws std::bad_alloc
+  BrickCache(const glm::ivec3& dimensions, std::size_t sampleSize,
+    std::shared_ptr<const BrickReader> reader);
+  ~BrickCache();
+  BrickCache(const BrickCache&) = delete;
+  BrickCache& operator=(const BrickCache&) = delete;
+
+  /// Samples from one to the next along x, y and z within a brick.
+  static glm::i64vec3 Strides() { return { 1, Edge, Edge * Edge }; }
+
+  /// The address of a sample; valid until this thread's SampleUse ends. Reads its brick if that is
+  /// not there. Samples from one before to two behind along each axis can be reached from here.
+  template <typename T>
+  const T* At(int i, int j, int k) const
+  {
+    const Place place = this->PlaceOf({ i, j, k });
+    return reinterpret_cast<const T*>(this->Find(place.Brick)) + place.Sample;
+  }
+
+  /// The bytes that bricks may take; at least those that a tile needs are kept, whatever this says.
+  void SetLimit(std::size_t bytes) const;
+
+  /// From this time on, bricks that are not there are not read: their samples are given as zeros,
+  /// and SampleUse::HasMissed tells so.
+  /// \param time of std::chrono::steady_clock since its epoch, in ns; Patient: wait for all bricks
+  void GiveUpAt(std::int64_t time) const { this->Deadline.store(time); }
+  static constexpr std::int64_t Patient = -1;
+
+  /// Read a brick if it is not there and memory allows it without dropping one that was used at
+  /// `since` or later.
+  /// \return false if memory is short
+  bool ReadAhead(std::int64_t brick, std::uint64_t since) const;
+
+  /// The bricks that were read, and whose reading somebody waited for, since the last call.
+  std::vector<std::int64_t> TakeAwaited() const;
+
+  /// True if a brick is there now.
+  bool Has(std::int64_t brick) const
+  {
+    return this->Entries[static_cast<std::size_t>(brick)].Samples.load() != nullptr;
+  }
+
+  /// The bricks around a brick, itself too, as far as there are any.
+  std::vector<std::int64_t> Around(std::int64_t brick) const;
+
+  /// The first cell of a brick.
+  glm::ivec3 FirstCellOf(std::int64_t brick) const;
+
+  const glm::ivec3& NumberOfBricks() const { return this->Grid; }
+
+  std::size_t MemoryInBytes() const;
+
+  /// How often bricks were read.
+  std::int64_t NumberOfReads() const { return this->Reads.load(); }
+
+private:
+  struct Place
+  {
+    std::int64_t Brick;
+    std::int64_t Sample;
+  };
+
+  Place PlaceOf(const glm::ivec3& sample) const
+  {
+    static_assert(Cells == 32, "shifts and masks say so");
+    const std::int64_t brick = (sample.x >> 5) +
+      static_cast<std::int64_t>(this->Grid.x) *
+        ((sample.y >> 5) + static_cast<std::int64_t>(this->Grid.y) * (sample.z >> 5));
+    const std::int64_t inside = (sample.x & 31) + Before +
+      Edge * ((sample.y & 31) + Before + Edge * ((sample.z & 31) + Before));
+    return { brick, inside };
+  }
+
+  /// A place for a brick. Readers stamp it before they take the address. Who drops a brick takes
+  /// the address away, and looks at the stamp again.
+  struct Entry
+  {
+    std::atomic<std::byte*> Samples{ nullptr };
+    std::atomic<std::uint64_t> Stamp{ 0 }; ///< time of SampleUse at the last use
+  };
+
+  const std::byte* Find(std::int64_t brick) const
+  {
+    Entry& entry = this->Entries[static_cast<std::size_t>(brick)];
+    if (entry.Stamp.load(std::memory_order_relaxed) < SampleUse::Begin())
+    {
+      entry.Stamp.store(SampleUse::Now());
+    }
+    const std::byte* const samples = entry.Samples.load();
+    return samples ? samples : this->Await(brick);
+  }
+
+  bool IsTooLate() const;
+  const std::byte* Await(std::int64_t brick) const;
+  std::byte* MakeRoom(std::uint64_t before) const;
+  void DropBefore(std::uint64_t time) const;
+  void ReadInto(std::int64_t brick, std::byte* room, std::uint64_t stamp,
+    std::unique_lock<std::mutex>& lock) const;
+
+  glm::ivec3 Dimensions, Grid;
+  std::size_t BytesOfBrick;
+  std::size_t BytesOfSample;
+  std::shared_ptr<const BrickReader> Reader;
+  std::unique_ptr<Entry[]> Entries;
+  std::vector<std::byte> Blank; ///< given where samples are missing
+  mutable std::atomic<std::int64_t> Deadline{ Patient };
+  mutable std::atomic<std::int64_t> Reads{ 0 };
+
+  /// Guards what follows.
+  mutable std::mutex Guard;
+  mutable std::condition_variable HasRead;
+  mutable std::vector<std::int64_t> Held; ///< bricks that are there
+  mutable std::vector<std::int64_t> BeingRead;
+  mutable std::vector<std::byte*> Free; ///< rooms for bricks
+  mutable std::vector<std::int64_t> Awaited;
+  mutable std::size_t MostRooms = 0;
+  mutable std::size_t Rooms = 0; ///< that are in use or free
+};
+
+}
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_BrickArray_h
+#define TemporalCoherence_BrickArray_h
+
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <vtkSmartPointer.h>
+
+#include <memory>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+class OutOfCoreVolume;
+
+/// An array of VTK for the samples of a volume that are read when they are needed. Its values
+/// cannot be changed. Of a mapped volume it is an ordinary array, in place. Any other has no
+/// address: filters of VTK that ask for values, one at a time, get them, if slowly.
+vtkSmartPointer<vtkDataArray> MakeArray(const std::shared_ptr<const OutOfCoreVolume>& volume);
+
+/// The volume of an array that MakeArray made; null for other arrays.
+std::shared_ptr<const OutOfCoreVolume> VolumeOf(vtkDataArray* array);
+
+/// True if the samples of an array are read in bricks.
+bool AreInBricks(vtkDataArray* array);
+
+}
+
+#endif

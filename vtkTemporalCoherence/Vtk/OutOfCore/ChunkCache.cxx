@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OutOfCore/ChunkCache.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace TemporalCoherence
+{
+
+ChunkCache::ChunkCache(std::shared_ptr<const VolumeFile> file, std::size_t level, std::size_t limit)
+  : File(std::move(file))
+  , LevelNumber(level)
+  , BytesOfChunk(this->Level().SamplesOfChunk() * SizeOf(this->File->Type()))
+  , Limit(limit)
+{
+}
+
+std::shared_ptr<const std::byte> ChunkCache::Get(const glm::ivec3& chunk)
+{
+  const glm::ivec3 grid = this->Level().NumberOfChunks();
+  const std::int64_t number = chunk.x +
+    static_cast<std::int64_t>(grid.x) * (chunk.y + static_cast<std::int64_t>(grid.y) * chunk.z);
+  std::unique_lock<std::mutex> lock(this->Guard);
+  while (true)
+  {
+    const auto found = this->Chunks.find(number);
+    if (found == this->Chunks.end())
+    {
+      break;
+    }
+    if (found->second.Chunk)
+    {
+      this->LastUsed.splice(this->LastUsed.begin(), this->LastUsed, found->second.Place);
+      return found->second.Chunk;
+    }
+    this->HasRead.wait(lock);
+  }
+  this->Chunks.emplace(number, Held());
+  lock.unlock();
+  try
+  {
+    std::string error;
+    const Samples samples = this->Read(chunk, error);
+    lock.lock();
+    if (!error.empty())
+    {
+      this->FirstMistake = this->Mistakes++ == 0 ? error : this->FirstMistake;
+    }
+    this->LastUsed.push_front(number);
+    this->Chunks[number] = { samples, this->LastUsed.begin() };
+    this->Drop(std::max(this->Limit, this->BytesOfChunk));
+    this->HasRead.notify_all();
+    return samples;
+  }
+  catch (const std::bad_alloc&)
+  {
+    if (!lock.owns_lock())
+    {
+      lock.lock();
+    }
+    this->Chunks.erase(number); // whoever waits for it tries again
+    this->HasRead.notify_all();
+    throw;
+  }
+}
+
+/// Read and decode a chunk.
+std::shared_ptr<const std::byte> ChunkCache::Read(const glm::ivec3& chunk, std::string& error) const
+{
+  const std::shared_ptr<std::byte> samples(
+    new std::byte[this->BytesOfChunk], std::default_delete<std::byte[]>());
+  if (!this->File->ReadChunk(this->LevelNumber, chunk, samples.get(), error))
+  {
+    std::fill_n(samples.get(), this->BytesOfChunk, std::byte(0));
+    error = error.empty() ? "A chunk of the volume cannot be read." : error;
+  }
+  else
+  {
+    error.clear();
+  }
+  return samples;
+}
+
+/// Drop chunks until the others fit into a limit, those first that were not used for longest.
+void ChunkCache::Drop(std::size_t limit)
+{
+  while (this->LastUsed.size() * this->BytesOfChunk > limit)
+  {
+    this->Chunks.erase(this->LastUsed.back());
+    this->LastUsed.pop_back();
+  }
+}
+
+void ChunkCache::SetLimit(std::size_t limit)
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->Limit = limit;
+  this->Drop(limit);
+}
+
+std::string ChunkCache::Mistake() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->FirstMistake;
+}
+
+std::int64_t ChunkCache::NumberOfMistakes() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->Mistakes;
+}
+
+std::size_t ChunkCache::MemoryInBytes() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->LastUsed.size() * this->BytesOfChunk;
+}
+
+}

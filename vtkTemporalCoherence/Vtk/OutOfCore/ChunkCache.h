@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ChunkCache_h
+#define TemporalCoherence_ChunkCache_h
+
+#include "VolumeFiles/VolumeFile.h"
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+namespace TemporalCoherence
+{
+
+/// The decoded chunks of one level of a volume that were read last. Threads share them: each chunk
+/// is decoded once, however many wait for it.
+class ChunkCache
+{
+public:
+  /// \param limit bytes that chunks may take. Those that are being read do not count
+  ChunkCache(std::shared_ptr<const VolumeFile> file, std::size_t level, std::size_t limit);
+
+  const VolumeLevel& Level() const { return this->File->Levels()[this->LevelNumber]; }
+
+  /// The samples of a chunk. Those of a chunk that cannot be read are zeros. Thread-safe.
+  /// \param chunk position in the grid of chunks
+  /// \throws std::bad_alloc
+  std::shared_ptr<const std::byte> Get(const glm::ivec3& chunk);
+
+  void SetLimit(std::size_t limit);
+
+  /// What was wrong with the first chunk that could not be read; empty if all could.
+  std::string Mistake() const;
+
+  /// How many chunks could not be read.
+  std::int64_t NumberOfMistakes() const;
+
+  std::size_t MemoryInBytes() const;
+
+private:
+  using Samples = std::shared_ptr<const std::byte>;
+  struct Held
+  {
+    Samples Chunk; ///< null: being read
+    std::list<std::int64_t>::iterator Place;
+  };
+
+  Samples Read(const glm::ivec3& chunk, std::string& error) const;
+  void Drop(std::size_t limit);
+
+  std::shared_ptr<const VolumeFile> File;
+  std::size_t LevelNumber;
+  std::size_t BytesOfChunk;
+
+  mutable std::mutex Guard; ///< of what follows
+  std::condition_variable HasRead;
+  std::size_t Limit;
+  std::unordered_map<std::int64_t, Held> Chunks;
+  std::list<std::int64_t> LastUsed; ///< of chunks that are there, the newest first
+  std::string FirstMistake;
+  std::int64_t Mistakes = 0;
+};
+
+}
+
+#endif

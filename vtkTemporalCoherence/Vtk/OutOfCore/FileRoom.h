@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_FileRoom_h
+#define TemporalCoherence_FileRoom_h
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace TemporalCoherence
+{
+
+/// A file whose bytes are used as memory. It gets its name when it is complete, so that no program
+/// ever finds a part of it. On systems without POSIX there are no such files.
+class FileRoom
+{
+public:
+  /// Map a file that is there, for reading.
+  /// \return null if it cannot be read
+  static std::shared_ptr<const FileRoom> Open(const std::string& path);
+
+  /// Make a file for writing. Its space on the disk is reserved, so that the disk cannot become too
+  /// full for it later. Unless it is kept it is gone in the end.
+  /// \param path name of the finished file
+  /// \return null if it cannot be made
+  static std::shared_ptr<FileRoom> Create(const std::string& path, std::size_t bytes);
+
+  ~FileRoom();
+  FileRoom(const FileRoom&) = delete;
+  FileRoom& operator=(const FileRoom&) = delete;
+
+  std::byte* Data() { return this->Bytes; }
+  const std::byte* Data() const { return this->Bytes; }
+  std::size_t Size() const { return this->Length; }
+
+  /// Write bytes behind the mapped ones.
+  bool Append(const void* bytes, std::size_t count);
+
+  /// Give a file that was made its name, in place of a file of that name.
+  bool Keep();
+
+private:
+  FileRoom() = default;
+  bool Map(int protection);
+
+  std::string Name, Unfinished;
+  int Descriptor = -1;
+  std::byte* Bytes = nullptr;
+  std::size_t Length = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_OutOfCoreVolume_h
+#define TemporalCoherence_OutOfCoreVolume_h
+
+#include "Bricks/BrickCache.h"
+#include "OutOfCore/ChunkCache.h"
+#include "OutOfCore/ReadAhead.h"
+#include "Scene/KnownRanges.h"
+#include "Scene/Progress.h"
+#include "VolumeFiles/VolumeFile.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// How a volume is read.
+struct OutOfCoreOptions
+{
+  std::size_t Level = 0;       ///< of resolution, 0: the finest
+  std::size_t MemoryLimit = 0; ///< bytes for samples
+  /// Where the file with value ranges may be, the best place first; none: they stay in memory.
+  std::vector<std::string> RangesPaths;
+};
+
+/// A level of a volume whose samples are read when they are needed: mapped, or in bricks.
+class OutOfCoreVolume
+{
+public:
+  /// Open a volume. Its value ranges are read from their file, or else found by reading the volume
+  /// once.
+  /// \param error receives what is wrong; empty if the report stopped it
+  /// \return null on error
+  /// \throws std::bad_alloc
+  static std::shared_ptr<OutOfCoreVolume> Open(std::shared_ptr<const VolumeFile> file,
+    const OutOfCoreOptions& options, const ReportProgress& report, std::string& error);
+
+  const VolumeFile& File() const { return *this->Source; }
+  const VolumeLevel& Level() const { return this->Source->Levels()[this->LevelNumber]; }
+
+  /// The address of the first sample if all samples are mapped; else null.
+  const void* Mapped() const { return this->Source->MappedSamples(this->LevelNumber); }
+
+  /// The samples in bricks; null if they are mapped.
+  const std::shared_ptr<const BrickCache>& Bricks() const { return this->Cache; }
+
+  const std::shared_ptr<const KnownRanges>& Ranges() const { return this->Known; }
+
+  /// True if the value ranges came from their file.
+  bool HadRanges() const { return this->WereKnown; }
+
+  /// True if the value ranges are kept in a file.
+  bool KeepsRanges() const { return this->AreKept; }
+
+  void SetMemoryLimit(std::size_t bytes) const;
+
+  /// Read ahead what a next frame may need: bricks beside those that the last frame waited for.
+  /// \param isovalues only bricks that these pass through
+  /// \param since     time of SampleUse at which the last frame began
+  void Follow(const std::vector<double>& isovalues, std::uint64_t since) const;
+
+  /// What could not be read since the last call; empty if nothing.
+  std::string TakeMistake() const;
+
+  /// Bytes of samples in memory that this volume holds. Mapped ones do not count.
+  std::size_t MemoryInBytes() const;
+
+private:
+  OutOfCoreVolume() = default;
+  bool FindRanges(
+    const OutOfCoreOptions& options, const ReportProgress& report, std::string& error);
+  bool MayHold(std::int64_t brick, const std::vector<double>& isovalues) const;
+
+  std::shared_ptr<const VolumeFile> Source;
+  std::size_t LevelNumber = 0;
+  std::shared_ptr<ChunkCache> Chunks;
+  std::shared_ptr<const BrickCache> Cache;
+  std::shared_ptr<const KnownRanges> Known;
+  bool WereKnown = false, AreKept = false;
+  mutable std::int64_t ToldMistakes = 0;
+  std::unique_ptr<ReadAhead> Ahead;
+};
+
+}
+
+#endif

@@ -89,9 +89,9 @@ void TestShards(const ZarrWriterSettings& settings)
   const TemporaryFolder folder;
   ZarrWriter writer;
   // 4 x 3 x 2 chunks, in shards of 2 x 2 x 2 that reach beyond the volume.
-  ASSERT_TRUE(writer.Open(folder.Path(), settings, { { { 16, 9, 4 }, { 4, 3, 2 } } }));
+  ASSERT_TRUE(writer.Open(folder.Path(), settings, { { { 64, 24, 8 }, { 16, 8, 4 } } }));
   const glm::ivec3 shard = settings.Shard;
-  const std::size_t bytes = 24 * SizeOf(settings.Type);
+  const std::size_t bytes = 512 * SizeOf(settings.Type);
   for (const int x : { 0, 1 })
   {
     ChunkBytes samples;
@@ -105,7 +105,7 @@ void TestShards(const ZarrWriterSettings& settings)
   }
   const auto volume = OpenGood(folder.Path());
   ASSERT_TRUE(volume);
-  EXPECT_EQ(volume->Levels().front().Chunk, glm::ivec3(4, 3, 2));
+  EXPECT_EQ(volume->Levels().front().Chunk, glm::ivec3(16, 8, 4));
   ForEachChunk(volume->Levels().front().NumberOfChunks(),
     [&](const glm::ivec3& chunk)
     {
@@ -253,7 +253,7 @@ void TestFill(ScalarType type, const std::string& json, T value)
     const auto volume = OpenGood(folder.Path());
     ASSERT_TRUE(volume) << json;
     const ChunkBytes bytes = ReadBytes(*volume, 0, glm::ivec3(1));
-    for (std::size_t i = 0; i < 24; ++i)
+    for (std::size_t i = 0; i < 512; ++i)
     {
       T read;
       std::memcpy(&read, bytes.data() + i * sizeof(T), sizeof(T));

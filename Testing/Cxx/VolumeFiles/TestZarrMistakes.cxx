@@ -45,7 +45,7 @@ TEST(ZarrMistakes, InArraysOfVersion2)
   settings.Compressor = "blosc-lz4";
   settings.Type = ScalarType::UInt16;
   ASSERT_TRUE(WriteTwoLevels(folder.Path(), settings));
-  const std::string shape = "[1, 1, 3, 5, 7]", chunk = "[1, 1, 2, 3, 4]";
+  const std::string shape = "[1, 1, 7, 13, 30]", chunk = "[1, 1, 4, 8, 16]";
   TestMistakes(folder.Path(), folder.Path() / "0" / ".zarray",
     { { "\"zarr_format\": 2", "\"zarr_format\": 3", "zarr_format" },
       { "{", "", "not a valid JSON object" }, { "{", "[", "not a valid JSON object" },
@@ -81,15 +81,15 @@ TEST(ZarrMistakes, InArraysOfVersion3)
   settings.Shard = { 2, 2, 2 };
   ZarrWriter writer;
   ASSERT_TRUE(writer.Open(folder.Path(), settings, TwoLevels()));
-  const std::string inner = "\"chunk_shape\": [1, 1, 2, 3, 4], \"codecs\"";
+  const std::string inner = "\"chunk_shape\": [1, 1, 4, 8, 16], \"codecs\"";
   TestMistakes(folder.Path(), folder.Path() / "0" / "zarr.json",
     { { "\"zarr_format\": 3", "\"zarr_format\": 4", "zarr_format" },
       { "\"name\": \"regular\"", "\"name\": \"rectangular\"", "chunk_grid" },
       { "uint8", "complex64", "data_type" },
-      { "\"shape\": [1, 1, 3", "\"shape\": [1, 1, -3", "shape" },
-      { inner, "\"chunk_shape\": [1, 1, 2, 4, 4], \"codecs\"", "shards" },
+      { "\"shape\": [1, 1, 7", "\"shape\": [1, 1, -7", "shape" },
+      { inner, "\"chunk_shape\": [1, 1, 4, 5, 16], \"codecs\"", "shards" },
       { inner, "\"chunk_shape\": [1, 2, 3, 4], \"codecs\"", "shards" },
-      { inner, "\"chunk_shape\": [1, 1, 2, 3, 8], \"codec\"", "codecs" },
+      { inner, "\"chunk_shape\": [1, 1, 4, 8, 16], \"codec\"", "codecs" },
       { "zstd", "lzma", "codecs" }, { "\"name\": \"bytes\"", "\"name\": \"crc32c\"", "codecs" },
       { "sharding_indexed", "sharding", "codecs" }, { "\"end\"", "\"middle\"", "index" },
       { "\"index_codecs\"", "\"codecs_of_index\"", "index" },
@@ -122,7 +122,7 @@ TEST(ZarrMistakes, LevelsMustShrink)
 {
   const TemporaryFolder folder;
   std::vector<ZarrWriterLevel> levels = TwoLevels();
-  levels[1].Dimensions.z = 4;
+  levels[1].Dimensions.z = 8;
   ZarrWriter writer;
   ASSERT_TRUE(writer.Open(folder.Path(), {}, levels));
   EXPECT_TRUE(Mentions(ErrorOf(folder.Path()), "larger than the level before it"));
@@ -225,11 +225,11 @@ void TestDamage(const ZarrWriterSettings& settings)
   }
   expectError(std::string(200000, 'a'));
   // A chunk of the right form, with other samples: fewer, and more.
-  for (const int x : { 3, 5 })
+  for (const int x : { 15, 17 })
   {
     ZarrWriter other;
-    ASSERT_TRUE(other.Open(folder.Path() / "other", settings, { { { 7, 5, 3 }, { x, 3, 2 } } }));
-    ASSERT_TRUE(other.WriteChunk(0, glm::ivec3(0), SomeBytes(2000, 5).data()));
+    ASSERT_TRUE(other.Open(folder.Path() / "other", settings, { { { 30, 13, 7 }, { x, 8, 4 } } }));
+    ASSERT_TRUE(other.WriteChunk(0, glm::ivec3(0), SomeBytes(4000, 5).data()));
     expectError(ReadText(other.PathOfChunk(0, glm::ivec3(0))));
   }
   fs::remove(path);
@@ -267,25 +267,25 @@ TEST(ZarrMistakes, DamagedShards)
     const TemporaryFolder folder;
     ZarrWriter writer;
     ASSERT_TRUE(writer.Open(folder.Path(), settings, { TwoLevels().front() }));
-    ASSERT_TRUE(writer.WriteChunk(0, glm::ivec3(0), SomeBytes(192, 1).data()));
+    ASSERT_TRUE(writer.WriteChunk(0, glm::ivec3(0), SomeBytes(4096, 1).data()));
     const auto volume = OpenGood(folder.Path());
     ASSERT_TRUE(volume);
     const fs::path path = writer.PathOfChunk(0, glm::ivec3(0));
     const std::string good = ReadText(path);
-    ASSERT_EQ(good.size(), 192U + 8 * 16 + 4);
-    const std::size_t index = isAtStart ? 0 : 192;
+    ASSERT_EQ(good.size(), 4096U + 8 * 16 + 4);
+    const std::size_t index = isAtStart ? 0 : 4096;
     std::string bad = good;
     bad[index + 7] = 1; // 2^56 bytes behind
     ASSERT_TRUE(WriteZarrFile(path, bad));
     EXPECT_TRUE(Mentions(ChunkErrorOf(*volume, glm::ivec3(0)), "behind the file's end"));
     bad = good;
-    bad[index + 8] = 23; // one byte too few
+    bad[index + 9] = 1; // 256 bytes too few
     ASSERT_TRUE(WriteZarrFile(path, bad));
     EXPECT_TRUE(Mentions(ChunkErrorOf(*volume, glm::ivec3(0)), "size"));
     bad = good;
     bad.replace(index + 16, 16, std::string(16, '\xff'));
     ASSERT_TRUE(WriteZarrFile(path, bad));
-    EXPECT_EQ(ReadBytes(*volume, 0, { 1, 0, 0 }), ChunkBytes(24, 0));
+    EXPECT_EQ(ReadBytes(*volume, 0, { 1, 0, 0 }), ChunkBytes(512, 0));
     ASSERT_TRUE(WriteZarrFile(path, good.substr(0, 100)));
     EXPECT_TRUE(Mentions(ChunkErrorOf(*volume, glm::ivec3(0)), "too short for its index"));
   }

@@ -107,7 +107,7 @@ void TestMutations(
   const bool isSharded = settings.Shard.x > 0;
   ASSERT_TRUE(writer.Open(folder.Path(), settings, TwoLevels()));
   ASSERT_TRUE(isSharded
-      ? writer.WriteChunk(0, glm::ivec3(0), SomeBytes(192 * SizeOf(settings.Type), 1).data())
+      ? writer.WriteChunk(0, glm::ivec3(0), SomeBytes(4096 * SizeOf(settings.Type), 1).data())
       : bool(WriteTwoLevels(folder.Path(), settings)));
   std::mt19937 random(seed);
   int refused = 0;

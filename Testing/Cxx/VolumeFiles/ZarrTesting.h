@@ -47,14 +47,14 @@ private:
 
 using ChunkBytes = std::vector<unsigned char>;
 
-/// Bytes that compress somewhat, and differ for each seed.
+/// Bytes that compress, and differ for each seed.
 inline ChunkBytes SomeBytes(std::size_t count, unsigned seed)
 {
   std::mt19937 random(seed);
   ChunkBytes bytes(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    bytes[i] = static_cast<unsigned char>(i % 3 == 0 ? random() : i / 16);
+    bytes[i] = static_cast<unsigned char>(i % 16 == 0 ? random() : i / 64);
   }
   return bytes;
 }
@@ -131,11 +131,12 @@ inline bool Mentions(const std::string& text, const std::string& words)
   return text.find(words) != std::string::npos;
 }
 
-/// Two small levels of 2 x 2 x 2 chunks and of one chunk.
+/// Two small levels of 2 x 2 x 2 chunks and of one chunk. Blosc does not compress chunks of less
+/// than 128 bytes; these have 512 samples.
 inline std::vector<ZarrWriterLevel> TwoLevels()
 {
-  return { { { 7, 5, 3 }, { 4, 3, 2 }, { 0.5, 0.25, 2.0 }, { 1.0, 2.0, 3.0 } },
-    { { 4, 3, 2 }, { 4, 3, 2 }, { 1.0, 0.5, 3.0 }, { 1.25, 2.125, 3.5 } } };
+  return { { { 30, 13, 7 }, { 16, 8, 4 }, { 0.5, 0.25, 2.0 }, { 1.0, 2.0, 3.0 } },
+    { { 15, 7, 4 }, { 16, 8, 4 }, { 1.0, 0.5, 3.0 }, { 1.25, 2.125, 3.5 } } };
 }
 
 /// Write all chunks of both levels, without shards.

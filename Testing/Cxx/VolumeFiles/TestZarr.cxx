@@ -4,6 +4,7 @@
 // Volumes of OME-Zarr read back what was written: all types of samples, compressors, byte orders
 // and names of chunks, in versions 2 and 3 of Zarr.
 
+#include "VolumeFiles/ChunkCodec.h"
 #include "ZarrTesting.h"
 
 #include <array>
@@ -188,6 +189,26 @@ TEST(Zarr, ReadsPlainArraysAndGroups)
   EXPECT_TRUE(Mentions(ErrorOf(root, { 2, 0, "9/a" }), "2 channels"));
   EXPECT_TRUE(Mentions(ErrorOf(root, { 0, 1, "9/a" }), "1 time points"));
   EXPECT_TRUE(Mentions(ErrorOf(root, { 0, 0, "8" }), "does not exist"));
+}
+
+/// The writer shares some functions with the reader, so these bytes are given as numbers.
+TEST(Zarr, ReadsGivenBytes)
+{
+  const std::string digits = "123456789";
+  EXPECT_EQ(Crc32c(reinterpret_cast<const unsigned char*>(digits.data()), 9), 0xe3069283U);
+  const TemporaryFolder folder;
+  ASSERT_TRUE(WriteZarrFile(folder.Path() / ".zarray",
+    R"({"zarr_format": 2, "shape": [1, 2], "chunks": [1, 2], "dtype": ">i4", "compressor": null,
+"fill_value": 0, "order": "C", "filters": null})"));
+  ASSERT_TRUE(
+    WriteZarrFile(folder.Path() / "0.0", std::string("\x01\x02\x03\x04\xff\xff\xff\xfe", 8)));
+  const auto volume = OpenGood(folder.Path());
+  ASSERT_TRUE(volume);
+  const ChunkBytes bytes = ReadBytes(*volume, 0, glm::ivec3(0));
+  std::array<std::int32_t, 2> values{};
+  std::memcpy(values.data(), bytes.data(), bytes.size());
+  EXPECT_EQ(values[0], 0x01020304);
+  EXPECT_EQ(values[1], -2);
 }
 
 TEST(Zarr, FindsImagesInGroups)

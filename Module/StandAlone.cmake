@@ -28,7 +28,7 @@ include(CTest)
 # Always by component: without components, VTK's package asks for Qt.
 set(vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc CommonTransforms
-  RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
+  IOXMLParser RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS OR TEMPORAL_COHERENCE_BUILD_PROGRAMS)
   list(APPEND vtk_components
     CommonSystem FiltersAMR FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOGeometry IOImage IOLegacy

@@ -34,7 +34,8 @@ TEXT
 }
 
 build_packages=(g++ cmake ninja-build libvtk9-dev libglm-dev libhwy-dev
-  libpython3-dev python3-vtk9 python3-numpy)
+  libpython3-dev python3-vtk9 python3-numpy
+  libblosc-dev libzstd-dev zlib1g-dev nlohmann-json3-dev libhdf5-dev)
 test_packages=(libbenchmark-dev libgtest-dev xvfb xauth libgl1-mesa-dri python3-pil xdotool)
 packaging_packages=(dpkg-dev file)
 explorer_packages=(libvtk9-qt-dev) # with the Qt that this VTK was built with

@@ -2,6 +2,7 @@
 set(module_directory "${CMAKE_CURRENT_LIST_DIR}")
 find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
+include("${CMAKE_CURRENT_LIST_DIR}/VolumeFormats.cmake")
 
 set(engine_files
   Bricks/BrickCache
@@ -344,6 +345,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceVolumeMapperPicking.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperSettings.cxx"
     ${bridge_files}
+    ${volume_format_files}
     $<TARGET_OBJECTS:TemporalCoherenceEngine>
     $<TARGET_OBJECTS:TemporalCoherenceVolumes>
   NOWRAP_HEADERS
@@ -365,9 +367,14 @@ vtk_module_include(VTK::TemporalCoherence
     "$<BUILD_INTERFACE:${module_directory}>"
   PRIVATE
     "${module_directory}/Engine"
-    "${module_directory}/Vtk")
+    "${module_directory}/Vtk"
+    ${volume_format_includes})
 vtk_module_compile_features(VTK::TemporalCoherence PUBLIC cxx_std_17)
 vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:glm::glm> $<BUILD_INTERFACE:hwy::hwy>)
+foreach (library IN LISTS volume_format_libraries)
+  vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:${library}>)
+endforeach ()
+vtk_module_definitions(VTK::TemporalCoherence PRIVATE ${volume_format_definitions})
 # Only classes of VTK are for users of the library, whatever a build exports by default.
 vtk_module_set_properties(VTK::TemporalCoherence
   CXX_VISIBILITY_PRESET hidden

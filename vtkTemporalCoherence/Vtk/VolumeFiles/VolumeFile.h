@@ -72,15 +72,9 @@ public:
   /// without gaps, in this machine's byte order, aligned to their size. Null for other levels.
   virtual const void* MappedSamples(std::size_t /*level*/) const { return nullptr; }
 
-<<<<<<< HEAD
-  /// True once samples could not be read through MappedSamples: the file became shorter. They are
-  /// zeros then.
-  /// \param error receives what is wrong, in one sentence
-=======
   /// True once samples could not be read through MappedSamples(), for example because the file
-  /// became shorter. Such samples read as zero. Thread-safe; ask after a picture. \param error
-  /// receives what is wrong and what to do, in one sentence
->>>>>>> w-raw
+  /// became shorter. Such samples read as zero. Thread-safe; ask after a picture.
+  /// \param error receives what is wrong and what to do, in one sentence
   virtual bool HasFailed(std::string& /*error*/) const { return false; }
 
   /// A text that differs if the volume's samples may have changed: names, sizes and modification

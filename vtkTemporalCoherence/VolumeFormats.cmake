@@ -1,0 +1,44 @@
+# Libraries that read formats of large volumes. Without them the module is built, and says that it
+# cannot read these.
+find_package(nlohmann_json QUIET)
+find_package(ZLIB QUIET)
+find_path(TEMPORAL_COHERENCE_BLOSC_INCLUDE_DIR blosc.h)
+find_library(TEMPORAL_COHERENCE_BLOSC_LIBRARY blosc)
+find_path(TEMPORAL_COHERENCE_ZSTD_INCLUDE_DIR zstd.h)
+find_library(TEMPORAL_COHERENCE_ZSTD_LIBRARY zstd)
+find_package(HDF5 QUIET COMPONENTS C)
+mark_as_advanced(TEMPORAL_COHERENCE_BLOSC_INCLUDE_DIR TEMPORAL_COHERENCE_BLOSC_LIBRARY
+  TEMPORAL_COHERENCE_ZSTD_INCLUDE_DIR TEMPORAL_COHERENCE_ZSTD_LIBRARY)
+
+set(volume_format_files
+  BusErrors
+  MappedFile
+  MetaImageVolume
+  NrrdVolume
+  RandomAccessFile
+  RawLayout
+  RawVolume
+  VolumeHeader
+  VtiHeader
+  VtiVolume)
+set(volume_format_definitions)
+set(volume_format_libraries)
+set(volume_format_includes)
+if (nlohmann_json_FOUND AND ZLIB_FOUND AND TEMPORAL_COHERENCE_BLOSC_LIBRARY AND
+    TEMPORAL_COHERENCE_BLOSC_INCLUDE_DIR AND TEMPORAL_COHERENCE_ZSTD_LIBRARY AND
+    TEMPORAL_COHERENCE_ZSTD_INCLUDE_DIR)
+  set(TEMPORAL_COHERENCE_HAS_ZARR ON)
+  list(APPEND volume_format_files
+    ChunkCodec ContainedFolder JsonFiles SampleBytes ZarrChunk ZarrFillValue ZarrImage ZarrLevel
+    ZarrMetadata ZarrMetadata3 ZarrSearch ZarrVolume)
+  list(APPEND volume_format_definitions TEMPORAL_COHERENCE_HAS_ZARR)
+  list(APPEND volume_format_libraries nlohmann_json::nlohmann_json ZLIB::ZLIB
+    "${TEMPORAL_COHERENCE_BLOSC_LIBRARY}" "${TEMPORAL_COHERENCE_ZSTD_LIBRARY}")
+  list(APPEND volume_format_includes
+    "${TEMPORAL_COHERENCE_BLOSC_INCLUDE_DIR}" "${TEMPORAL_COHERENCE_ZSTD_INCLUDE_DIR}")
+else ()
+  set(TEMPORAL_COHERENCE_HAS_ZARR OFF)
+  message(STATUS "Zarr volumes cannot be read: nlohmann_json, zlib, c-blosc or zstd is missing.")
+endif ()
+list(TRANSFORM volume_format_files PREPEND "${CMAKE_CURRENT_LIST_DIR}/Vtk/VolumeFiles/")
+list(TRANSFORM volume_format_files APPEND ".cxx")

@@ -197,6 +197,7 @@ set(bridge_files
   OutOfCore/BrickArray
   OutOfCore/ChunkBricks
   OutOfCore/ChunkCache
+  OutOfCore/CoarseField
   OutOfCore/FileRoom
   OutOfCore/OutOfCoreVolume
   OutOfCore/RangesFile

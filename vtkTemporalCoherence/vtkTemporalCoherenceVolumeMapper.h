@@ -45,6 +45,7 @@ class vtkImageData;
 class vtkPolyData;
 class vtkRenderer;
 class vtkScalarsToColors;
+class vtkTemporalCoherenceBrickSource;
 class vtkVolume;
 class vtkWindow;
 

@@ -30,6 +30,9 @@ bool IsHeard(vtkTemporalCoherenceVolumeMapper& mapper, vtkRenderWindow* window)
     (window && (window->GetAbortRender() || window->HasObserver(vtkCommand::AbortCheckEvent)));
 }
 
+/// The time that a frame in a window takes at most to read samples in bricks, if others follow.
+constexpr std::chrono::milliseconds TimeToRead(80);
+
 }
 
 //------------------------------------------------------------------------------
@@ -79,6 +82,27 @@ TemporalCoherence::FewerRays vtkTemporalCoherenceVolumeMapper::Internals::Choose
 }
 
 //------------------------------------------------------------------------------
+TemporalCoherence::Impatience vtkTemporalCoherenceVolumeMapper::Internals::ChooseReading(
+  const TemporalCoherence::FrameRequest& request, vtkRenderWindow* window) const
+{
+  TemporalCoherence::Impatience reading;
+  // Somebody must render again, such as a refiner: who hears of progress does so.
+  const bool isFollowed =
+    window && window->HasObserver(vtkTemporalCoherenceVolumeMapper::FrameProgressEvent);
+  if (!isFollowed || request.Volumes.empty() || this->Self->GetRenderToImage())
+  {
+    return reading;
+  }
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point until = Clock::now() + TimeToRead;
+  reading.StandIn = request.Volumes.front()->Coarse();
+  reading.Deadline =
+    std::chrono::duration_cast<std::chrono::nanoseconds>(until.time_since_epoch()).count();
+  reading.HasTime = [until]() { return Clock::now() < until; };
+  return reading;
+}
+
+//------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* renderer,
   vtkVolume* volume, int width, int height, double aspect, vtkRenderWindow* window,
   const TemporalCoherence::FewerRays& fewer)
@@ -116,6 +140,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
   options.ReportsTiles = IsHeard(*this->Self, window);
   options.Light.AtOnce = !window && !this->Self->ProgressiveImages;
   options.Fewer = fewer;
+  options.Reading = this->ChooseReading(request, window);
   bool isMade = false;
   const std::uint64_t begin = TemporalCoherence::SampleUse::Now();
   {

@@ -112,6 +112,8 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
 
   /// Choose how many rays a window's frame traces to finish in time.
   /// \param allowed seconds for it
+  TemporalCoherence::Impatience ChooseReading(
+    const TemporalCoherence::FrameRequest& request, vtkRenderWindow* window) const;
   TemporalCoherence::FewerRays ChooseRays(
     vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& rays, double allowed) const;
 

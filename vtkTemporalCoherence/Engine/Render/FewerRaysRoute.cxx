@@ -8,10 +8,13 @@
 #include "Render/SampleDistance.h"
 #include "Render/TileLister.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numeric>
 #include <vector>
 
@@ -29,6 +32,9 @@ constexpr double EnoughOfGrid = 0.6;
 
 /// The part of the grid's time after which that may show.
 constexpr double FirstLook = 0.25;
+
+/// Pixels between rays through a stand-in, along each axis.
+constexpr double StandInDistance = 3.0;
 
 /// The coarser grid is to take this share of the time that the first one had.
 constexpr double ShareOfSecondGrid = 0.25;
@@ -64,13 +70,44 @@ std::vector<std::int64_t> TilesOfDoubt(const std::vector<float>& doubts, bool wo
   return tiles;
 }
 
+/// Lets samples in bricks be read until a time, as long as this lives.
+class ReadingTime
+{
+public:
+  ReadingTime(const Field& samples, const Impatience& reading)
+    : Bricks(reading.IsAsked() ? samples.Bricks : nullptr)
+    , HasTime(reading.HasTime)
+  {
+    if (this->Bricks)
+    {
+      this->Bricks->GiveUpAt(reading.Deadline);
+    }
+  }
+  ~ReadingTime()
+  {
+    if (this->Bricks)
+    {
+      this->Bricks->GiveUpAt(BrickCache::Patient);
+    }
+  }
+  ReadingTime(const ReadingTime&) = delete;
+  ReadingTime& operator=(const ReadingTime&) = delete;
+
+  bool GoesOn() const { return !this->Bricks || this->HasTime(); }
+
+private:
+  std::shared_ptr<const BrickCache> Bricks;
+  const std::function<bool()>& HasTime;
+};
+
 /// Make the frame: trace tiles of doubt, the worst first, as many as there may be. Call
 /// fill(tile, part, frame) for all others.
-/// \param work   of a cold frame
-/// \param doubts of the tiles; those that are traced become 0
-template <typename Fill>
+/// \param work    of a cold frame
+/// \param doubts  of the tiles; those that are traced become 0
+/// \param prepare is called before the others are filled, if there are any of doubt
+template <typename Fill, typename Prepare>
 bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& work,
-  std::vector<float>& doubts, const Fill& fill)
+  std::vector<float>& doubts, const Fill& fill, const Prepare& prepare)
 {
   const FewerRays& fewer = task.Options.Fewer;
   const bool areFewer = fewer.AreAsked();
@@ -81,17 +118,24 @@ bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& w
   }
   TileLister lister(task);
   std::size_t traced = 0;
-  const auto goOn = [&]() { return !areFewer || fewer.HasTime(); };
-  if (!lister.MakeFront(worst, report, goOn, work, traced))
-  {
-    return false;
-  }
   std::vector<std::uint8_t> isTraced(doubts.size(), 0);
-  for (std::size_t i = 0; i < traced; ++i)
   {
-    const auto tile = static_cast<std::size_t>(worst[i]);
-    isTraced[tile] = 1;
-    doubts[tile] = 0.0f;
+    const ReadingTime reading(task.Key.Samples, task.Options.Reading);
+    const auto goOn = [&]() { return (!areFewer || fewer.HasTime()) && reading.GoesOn(); };
+    const auto trace = [&](std::int64_t tile, const PixelRect& part, Frame& frame)
+    {
+      const TraceCounts counts = work(tile, part, frame);
+      isTraced[static_cast<std::size_t>(tile)] = !SampleUse::HasMissed();
+      return counts;
+    };
+    if (!lister.MakeFront(worst, report, goOn, trace, traced))
+    {
+      return false;
+    }
+  }
+  for (std::size_t tile = 0; tile < doubts.size(); ++tile)
+  {
+    doubts[tile] = isTraced[tile] ? 0.0f : doubts[tile];
   }
   std::vector<std::int64_t> others;
   for (std::size_t tile = 0; tile < doubts.size(); ++tile)
@@ -102,6 +146,10 @@ bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& w
     }
   }
   const double before = task.Statistics.TilesTime;
+  if (std::any_of(doubts.begin(), doubts.end(), [](float doubt) { return doubt > 0.0f; }))
+  {
+    prepare();
+  }
   lister.MakeAll(others, fill);
   task.Statistics.FillTime = task.Statistics.TilesTime - before;
   task.Statistics.TilesTime = before;
@@ -212,6 +260,34 @@ bool TraceGridInTime(FrameTask& task, const LeapedSpace& whole, FrameStore& grid
   return TraceGrid(task, keyAt(std::min(coarser, fewer.MostDistance)), whole, 0.0, grid, pace);
 }
 
+/// Trace rays through the stand-in.
+void TraceStandIn(const FrameTask& task, FrameStore& grid)
+{
+  const StandIn& standIn = *task.Options.Reading.StandIn;
+  FrameKey key = KeyOfGrid(task.Key, RaysFor(task.Key.View.Size, StandInDistance));
+  key.Samples = standIn.Samples;
+  key.Samples.Between = task.Key.Samples.Between;
+  key.Transform.WorldFromIndex =
+    glm::scale(glm::translate(key.Transform.WorldFromIndex, standIn.First), standIn.Step);
+  key.Transform.IndexFromWorld = glm::inverse(key.Transform.WorldFromIndex);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    glm::dvec2& crop = key.Region.Crops[static_cast<std::size_t>(axis)];
+    crop = (crop - standIn.First[axis]) / standIn.Step[axis];
+  }
+  FrameStructures structures(std::make_shared<FieldStructures>());
+  structures.PrepareRanges(key);
+  FrameStatistics statistics;
+  FrameTask ofStandIn{ key, task.Options, grid, structures, statistics, nullptr, {} };
+  const LeapedSpace space = BeginSurfaces(ofStandIn);
+  TileLister lister(ofStandIn);
+  std::vector<std::int64_t> tiles(static_cast<std::size_t>(NumberOfTiles(key.View.Size)));
+  std::iota(tiles.begin(), tiles.end(), std::int64_t(0));
+  lister.MakeAll(tiles, SurfaceWork(ofStandIn, space));
+  lister.Finish();
+  task.Statistics.GridRays += static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
+}
+
 /// Copy a tile from a picture of the same key as it is, answers and kept values included.
 /// \pre both pictures have the same planes
 TraceCounts KeepTile(
@@ -262,11 +338,46 @@ bool TraceFewerRays(FrameTask& task, FrameStore& grid)
     doubts[tile] = showsNothing ? 0.0f : doubts[tile];
   }
   const TileWork work = WorkOf(task, space);
-  return TraceWorst(task, PartOf(task.Report, ShareOfGrid, 1.0), work, doubts,
+  return TraceWorst(
+    task, PartOf(task.Report, ShareOfGrid, 1.0), work, doubts,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {
       const bool isBetween = doubts[static_cast<std::size_t>(tile)] > 0.0f;
       return isBetween ? rays.Fill(tile, part, frame) : work(tile, part, frame);
+    },
+    []() {});
+}
+
+bool CanBeImpatient(const FrameKey& key, const FrameOptions& options)
+{
+  return MayShowAnything(key) && options.Reading.IsAsked() && key.Samples.Bricks &&
+    !key.IsBlended() && !key.Samples.Labels && options.Accuracy == ReuseAccuracy::Exact &&
+    !key.Appearance.HasMutualLight() && !key.Appearance.ColorByAnswer &&
+    glm::all(glm::greaterThan(RaysFor(key.View.Size, StandInDistance), glm::ivec2(1)));
+}
+
+bool TraceInTime(FrameTask& task, FrameStore& grid)
+{
+  const LeapedSpace space = BeginWhole(task);
+  const auto tiles = static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size));
+  std::vector<float> doubts(tiles, 1.0f);
+  for (std::size_t tile = 0; space.Active && tile < tiles; ++tile)
+  {
+    doubts[tile] = space.Bounds->At(static_cast<std::int64_t>(tile)).IsEmpty() ? 0.0f : 1.0f;
+  }
+  const TileWork work = WorkOf(task, space);
+  std::unique_ptr<const RayGrid> rays;
+  return TraceWorst(
+    task, task.Report, work, doubts,
+    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
+    {
+      const bool isMissing = doubts[static_cast<std::size_t>(tile)] > 0.0f;
+      return isMissing ? rays->Fill(tile, part, frame) : work(tile, part, frame);
+    },
+    [&]()
+    {
+      TraceStandIn(task, grid);
+      rays = std::make_unique<const RayGrid>(grid.Next().Picture, task.Key);
     });
 }
 
@@ -286,9 +397,11 @@ bool TraceBetweenRays(FrameTask& task)
     doubts[tile] = isWhole ? doubts[tile] : std::max(doubts[tile], 1.0f);
   }
   const bool isParallel = task.Key.View.Parallel;
-  return TraceWorst(task, task.Report, WorkOf(task, space), doubts,
+  return TraceWorst(
+    task, task.Report, WorkOf(task, space), doubts,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
-    { return KeepTile(tile, part, last, isParallel, frame); });
+    { return KeepTile(tile, part, last, isParallel, frame); },
+    []() {});
 }
 
 }

@@ -8,11 +8,13 @@
 #include "Isomap/Isomap.h"
 #include "Render/LayerLimit.h"
 #include "Render/ReusePlan.h"
+#include "Scene/StandIn.h"
 #include "Shade/Light/SurfaceLight.h"
 
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 
 namespace TemporalCoherence
 {
@@ -42,6 +44,19 @@ struct FewerRays
   bool HasTime() const { return !this->Elapsed || this->Elapsed() < 1.0; }
 };
 
+/// A frame that does not wait for samples. Tiles whose samples were not read in time are shown from
+/// a stand-in, or stay as they were, until a later frame.
+struct Impatience
+{
+  /// Null: frames wait.
+  std::shared_ptr<const TemporalCoherence::StandIn> StandIn;
+  std::int64_t Deadline = BrickCache::Patient; ///< time to give up reading (GiveUpAt)
+  /// Several threads call it before they trace a tile. Null with StandIn.
+  std::function<bool()> HasTime;
+
+  bool IsAsked() const { return this->StandIn != nullptr; }
+};
+
 /// Options for making frames.
 struct FrameOptions
 {
@@ -56,6 +71,7 @@ struct FrameOptions
   LightOptions Light;
   Antialiasing Antialias = Antialiasing::Off;
   FewerRays Fewer;
+  Impatience Reading;        ///< of samples in bricks
   bool ReportsTiles = false; ///< trace tiles in parts, with a progress report before each part
 };
 

@@ -292,13 +292,22 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
     case Route::KeepLabels:
       return TraceChangedLabels(task, this->Changes);
     case Route::FewerRays:
-      return TraceFewerRays(task, this->Grid);
+      return CanHaveFewerRays(task.Key, task.Options) ? TraceFewerRays(task, this->Grid)
+                                                      : this->MakeInTime(route, task);
     case Route::Refine:
       return TraceBetweenRays(task);
     case Route::Cold:
       break;
   }
   return task.Key.IsBlended() ? BlendCold(task) : TraceCold(task);
+}
+
+/// Make a frame that does not wait for samples. If none were missing it is a cold one.
+bool FrameRenderer::MakeInTime(Route& route, FrameTask& task)
+{
+  const bool isMade = TraceInTime(task, this->Grid);
+  route = isMade && task.Store.Next().Doubts.empty() ? Route::Cold : route;
+  return isMade;
 }
 
 /// The new frame becomes the last frame, if the route made one.
@@ -319,7 +328,7 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
 {
   const CachedImage& last = this->Store.Last();
   ReuseSwitches switches = options.Reuse;
-  switches.FewerRays = CanHaveFewerRays(key, options);
+  switches.FewerRays = CanHaveFewerRays(key, options) || CanBeImpatient(key, options);
   if (last.Picture.IsEmpty())
   {
     return switches.FewerRays ? Route::FewerRays : Route::Cold;

@@ -91,6 +91,7 @@ private:
     std::uint32_t rays, bool isStill, KeptShadows* shadows);
   bool SmoothEdges(Route route, FrameTask& task, const ReportProgress& report,
     std::unique_ptr<SurfaceLight>& light);
+  bool MakeInTime(Route& route, FrameTask& task);
   bool Make(Route& route, FrameTask& task, CachedImage* nearest);
   bool BuildAndLookUp(Route& route, FrameTask& task);
   bool LookUpIsomap(Route& route, FrameTask& task);

@@ -62,6 +62,14 @@ bool CanHaveFewerRays(const FrameKey& key, const FrameOptions& options);
 /// \param grid memory for the rays of the grid
 bool TraceFewerRays(FrameTask& task, FrameStore& grid);
 
+/// True if a frame need not wait for samples that are not read yet.
+bool CanBeImpatient(const FrameKey& key, const FrameOptions& options);
+
+/// FewerRays, for samples in bricks: tiles are traced as long as there is time. Those whose samples
+/// were not read in time are shown from the stand-in.
+/// \param grid memory for the rays through the stand-in
+bool TraceInTime(FrameTask& task, FrameStore& grid);
+
 /// Refine: tiles of the last frame that lie between rays are traced, the worst first. The others
 /// are kept.
 /// \pre the last frame has the same key

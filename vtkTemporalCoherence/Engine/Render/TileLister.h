@@ -137,7 +137,10 @@ private:
       counts = work(tile, PixelsOfTile(this->Made.Size, tile), this->Made);
     }
     counts.TileTime += nanoseconds;
-    this->Limit.Take(tile, this->Made);
+    if (!SampleUse::HasMissed()) // else the tile is made again
+    {
+      this->Limit.Take(tile, this->Made);
+    }
     return counts;
   }
 

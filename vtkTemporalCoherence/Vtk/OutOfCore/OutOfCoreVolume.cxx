@@ -4,6 +4,7 @@
 
 #include "Acceleration/NodeRanges.h"
 #include "OutOfCore/ChunkBricks.h"
+#include "OutOfCore/CoarseField.h"
 #include "OutOfCore/RangesFile.h"
 #include "OutOfCore/SampleHash.h"
 #include "OutOfCore/StreamedRanges.h"
@@ -53,6 +54,7 @@ std::shared_ptr<OutOfCoreVolume> OutOfCoreVolume::Open(std::shared_ptr<const Vol
       ReaderOfChunks{ volume->Chunks, ChunkBricks(*volume->Chunks, bytes) });
     volume->Cache = std::make_shared<const BrickCache>(volume->Level().Dimensions, bytes,
       std::shared_ptr<const BrickReader>(reader, &reader->Bricks));
+    volume->Stand = MakeStandIn(volume->Source, options.Level, *volume->Known);
     volume->Ahead = std::make_unique<ReadAhead>(volume->Cache);
     volume->SetMemoryLimit(options.MemoryLimit);
   }

@@ -8,6 +8,7 @@
 #include "OutOfCore/ReadAhead.h"
 #include "Scene/KnownRanges.h"
 #include "Scene/Progress.h"
+#include "Scene/StandIn.h"
 #include "VolumeFiles/VolumeFile.h"
 
 #include <cstddef>
@@ -51,6 +52,9 @@ public:
 
   const std::shared_ptr<const KnownRanges>& Ranges() const { return this->Known; }
 
+  /// What is shown until samples in bricks are read; null if there is nothing.
+  const std::shared_ptr<const StandIn>& Coarse() const { return this->Stand; }
+
   /// True if the value ranges came from their file.
   bool HadRanges() const { return this->WereKnown; }
 
@@ -81,6 +85,7 @@ private:
   std::shared_ptr<ChunkCache> Chunks;
   std::shared_ptr<const BrickCache> Cache;
   std::shared_ptr<const KnownRanges> Known;
+  std::shared_ptr<const StandIn> Stand;
   bool WereKnown = false, AreKept = false;
   mutable std::int64_t ToldMistakes = 0;
   std::unique_ptr<ReadAhead> Ahead;

@@ -19,6 +19,11 @@ set(volume_format_files
   RawLayout
   RawVolume
   VolumeHeader
+  FileFacts
+  ReaderErrors
+  ReaderFiles
+  ReaderOutput
+  ReaderVolume
   VtiHeader
   VtiVolume)
 set(volume_format_definitions)
@@ -40,5 +45,18 @@ else ()
   set(TEMPORAL_COHERENCE_HAS_ZARR OFF)
   message(STATUS "Zarr volumes cannot be read: nlohmann_json, zlib, c-blosc or zstd is missing.")
 endif ()
+if (HDF5_FOUND AND ZLIB_FOUND)
+  set(TEMPORAL_COHERENCE_HAS_HDF5 ON)
+  list(APPEND volume_format_files
+    Hdf5Attributes Hdf5BigDataViewer Hdf5Chunk Hdf5DataSet Hdf5DataSetRead Hdf5Imaris Hdf5Library
+    Hdf5Plain Hdf5Types Hdf5Volume)
+  list(APPEND volume_format_definitions TEMPORAL_COHERENCE_HAS_HDF5)
+  list(APPEND volume_format_libraries ${HDF5_C_LIBRARIES} ZLIB::ZLIB)
+  list(APPEND volume_format_includes ${HDF5_C_INCLUDE_DIRS})
+else ()
+  set(TEMPORAL_COHERENCE_HAS_HDF5 OFF)
+  message(STATUS "HDF5 volumes cannot be read: libhdf5 or zlib is missing.")
+endif ()
+list(REMOVE_DUPLICATES volume_format_libraries)
 list(TRANSFORM volume_format_files PREPEND "${CMAKE_CURRENT_LIST_DIR}/Vtk/VolumeFiles/")
 list(TRANSFORM volume_format_files APPEND ".cxx")

@@ -8,6 +8,7 @@
 #include "Scene/Timers.h"
 #include "SettingsFromMapper.h"
 #include "Window/PeelingPass.h"
+#include "vtkTemporalCoherenceBrickSource.h"
 #include "vtkTemporalCoherenceVolume.h"
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
@@ -77,6 +78,12 @@ int vtkTemporalCoherenceVolumeMapper::FillInputPortInformation(int port, vtkInfo
   // The mapper refuses other data with one error, where the pipeline would report two.
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetBrickSource(vtkTemporalCoherenceBrickSource* source)
+{
+  this->SetInputConnection(source ? source->GetOutputPort() : nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -522,6 +522,16 @@ public:
   /** Set the data to draw without a pipeline: an image or a grid. */
   void SetInputData(vtkDataSet* data) override;
 
+  /**
+   * Set a source of a volume that may be larger than memory as the input. It is the same as
+   * SetInputConnection(source->GetOutputPort()). Null leaves the mapper without input.
+   *
+   * In a window whose frames are followed by others (see vtkTemporalCoherenceRefiner), a frame does
+   * not wait for samples longer than a moment. It shows what is finished over a coarse picture, and
+   * later frames bring the rest (see GetFrameIsFinal). Other frames, MakeImage and RenderToImage wait.
+   */
+  void SetBrickSource(vtkTemporalCoherenceBrickSource* source);
+
   //@{
   /** Get the bounds of the input in its own coordinates; for blocks, the bounds of all of them. */
   double* GetBounds() VTK_SIZEHINT(6) override;

@@ -6,9 +6,7 @@
 #include "VolumeFiles/MetaImageVolume.h"
 #include "VolumeFiles/NrrdVolume.h"
 #include "VolumeFiles/RawVolume.h"
-#if __has_include("VolumeFiles/ReaderVolume.h")
 #include "VolumeFiles/ReaderVolume.h"
-#endif
 #include "VolumeFiles/VtiVolume.h"
 #ifdef TEMPORAL_COHERENCE_HAS_ZARR
 #include "VolumeFiles/ZarrVolume.h"
@@ -111,9 +109,7 @@ std::shared_ptr<const VolumeFile> OpenVolume(const VolumeRequest& request, std::
 {
   if (request.Reader)
   {
-#if __has_include("VolumeFiles/ReaderVolume.h")
     return OpenReader(request.Reader, request.Choice.Array, error);
-#endif
   }
   const fs::path path(request.Path);
   const std::string extension = ExtensionOf(path);

@@ -28,11 +28,11 @@ include(CTest)
 # Always by component: without components, VTK's package asks for Qt.
 set(vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc CommonTransforms
-  IOXMLParser RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
+  IOImage IOXML IOXMLParser RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS OR TEMPORAL_COHERENCE_BUILD_PROGRAMS)
   list(APPEND vtk_components
-    CommonSystem FiltersAMR FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOGeometry IOImage IOLegacy
-    IOPLY IOXML RenderingAnnotation RenderingFreeType RenderingImage TestingCore TestingRendering jsoncpp png tiff zlib)
+    CommonSystem FiltersAMR FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOGeometry IOLegacy
+    IOPLY RenderingAnnotation RenderingFreeType RenderingImage TestingCore TestingRendering jsoncpp png tiff zlib)
 endif ()
 set(vtk_chart_components)
 set(vtk_reader_components) # of meshes, for examples and benchmarks

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkTemporalCoherenceBrickSource);
 namespace
 {
 
-constexpr vtkTypeInt64 LeastLimit = vtkTypeInt64(16) << 20;
+constexpr vtkTypeInt64 LeastLimit = vtkTypeInt64(1) << 20;
 constexpr vtkTypeInt64 UsualLimit = vtkTypeInt64(3) << 29;
 
 }

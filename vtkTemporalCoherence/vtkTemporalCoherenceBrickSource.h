@@ -121,7 +121,7 @@ public:
 
   //@{
   /**
-   * Set/Get the bytes of memory that samples may take, from 16 MiB on (default: 1.5 GiB, so that a
+   * Set/Get the bytes of memory that samples may take, from 1 MiB on (default: 1.5 GiB, so that a
    * program with one volume and its pictures stays below 2 GiB). Mapped files take none. What one
    * tile of a picture needs is read even if it is more. It can be changed at any time.
    */
@@ -147,6 +147,14 @@ public:
   int GetNumberOfLevels();
   void GetLevelDimensions(int level, int dimensions[3]);
   //@}
+
+  /**
+   * Get a small image in memory that tells what the volume holds, for histograms and overviews: a
+   * coarser level of at most four million samples, or else the middles of the value ranges of
+   * blocks. It lies where the volume lies. Call Update() before. Null if the volume itself is that
+   * small, or if there is none.
+   */
+  vtkImageData* GetCoarseImage();
 
   /**
    * Get the bytes of memory that hold samples now. Mapped files take none.

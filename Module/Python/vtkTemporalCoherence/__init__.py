@@ -45,11 +45,13 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from .blended import BlendedVolume, composite, maximum
 from .everywhere import use_everywhere
 from .isosurfaces import IsosurfaceVolume, isosurface
+from .large_volumes import open_volume
 from .mapper_support import replace_mapper
 from .pictures import Picture, PicturedVolume
 from .segmentations import SegmentationVolume, segmentation
 from .version import __version__
 from .vtkTemporalCoherence import (
+    vtkTemporalCoherenceBrickSource,
     vtkTemporalCoherenceDropInMapper,
     vtkTemporalCoherenceGPUVolumeRayCastMapper,
     vtkTemporalCoherenceObjectFactory,
@@ -77,9 +79,11 @@ __all__ = [
     "composite",
     "isosurface",
     "maximum",
+    "open_volume",
     "replace_mapper",
     "segmentation",
     "use_everywhere",
+    "vtkTemporalCoherenceBrickSource",
     "vtkTemporalCoherenceDropInMapper",
     "vtkTemporalCoherenceGPUVolumeRayCastMapper",
     "vtkTemporalCoherenceObjectFactory",

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import os
 from typing import Any, Iterator, Sequence
 
 from vtkmodules.vtkCommonCore import vtkDataArray
@@ -26,7 +27,8 @@ def data_object(
     """VTK's data of what was given.
 
     data             a data set or composite of VTK or PyVista, an array of NumPy or what converts
-                     to one, indexed [z, y, x], or a DataArray of xarray with three dimensions
+                     to one, indexed [z, y, x], a DataArray of xarray with three dimensions, or the path
+                     of a volume, which is read when it is needed (open_volume)
     spacing, origin  of an array, in the order x, y, z; None: 1 and 0. A DataArray has its own
 
     Raises TypeError for other data, ValueError for arrays that are no volumes, or where a spacing or
@@ -36,6 +38,9 @@ def data_object(
         raise TypeError(
             "A surface of polygons is no volume: give the grid that it was made of, or draw it with "
             "add_mesh().")
+    if isinstance(data, (str, os.PathLike)):
+        from .large_volumes import open_volume
+        data = open_volume(data)
     is_array = _is_array(data)
     has_place = not is_array or (hasattr(data, "dims") and hasattr(data, "coords"))
     if has_place and (spacing is not None or origin is not None):

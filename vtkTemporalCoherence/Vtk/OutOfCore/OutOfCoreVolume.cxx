@@ -48,13 +48,13 @@ std::shared_ptr<OutOfCoreVolume> OutOfCoreVolume::Open(std::shared_ptr<const Vol
   {
     return nullptr;
   }
+  volume->Stand = MakeStandIn(volume->Source, options.Level, *volume->Known);
   if (volume->Chunks)
   {
     const auto reader = std::make_shared<ReaderOfChunks>(
       ReaderOfChunks{ volume->Chunks, ChunkBricks(*volume->Chunks, bytes) });
     volume->Cache = std::make_shared<const BrickCache>(volume->Level().Dimensions, bytes,
       std::shared_ptr<const BrickReader>(reader, &reader->Bricks));
-    volume->Stand = MakeStandIn(volume->Source, options.Level, *volume->Known);
     volume->Ahead = std::make_unique<ReadAhead>(volume->Cache);
     volume->SetMemoryLimit(options.MemoryLimit);
   }

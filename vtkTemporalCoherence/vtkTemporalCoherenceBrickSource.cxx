@@ -37,6 +37,7 @@ public:
   std::shared_ptr<const TemporalCoherence::VolumeFile> File;
   std::shared_ptr<TemporalCoherence::OutOfCoreVolume> Volume; ///< of the last update
   vtkSmartPointer<vtkDataArray> Array;                        ///< of the volume
+  vtkSmartPointer<vtkImageData> Coarse;                       ///< null: not made yet
 };
 
 //------------------------------------------------------------------------------
@@ -157,11 +158,21 @@ bool vtkTemporalCoherenceBrickSource::GetHadRanges()
   return this->Inner->Volume && this->Inner->Volume->HadRanges();
 }
 
+vtkImageData* vtkTemporalCoherenceBrickSource::GetCoarseImage()
+{
+  if (!this->Inner->Coarse && this->Inner->Volume)
+  {
+    this->Inner->Coarse = TemporalCoherence::MakeCoarseImage(*this->Inner->Volume);
+  }
+  return this->Inner->Coarse;
+}
+
 void vtkTemporalCoherenceBrickSource::Close()
 {
   this->Inner->File.reset();
   this->Inner->Volume.reset();
   this->Inner->Array = nullptr;
+  this->Inner->Coarse = nullptr;
   this->GetOutput()->Initialize();
   this->Modified();
 }
@@ -192,6 +203,7 @@ int vtkTemporalCoherenceBrickSource::RequestInformation(
     error = "There is not enough memory to open " + this->FileName + "; free memory.";
   }
   this->Inner->Volume.reset();
+  this->Inner->Coarse = nullptr;
   if (this->Inner->File && this->Level >= this->GetNumberOfLevels())
   {
     error = "Level " + std::to_string(this->Level) + " is not there; set one from 0 to " +

@@ -6,9 +6,12 @@
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkGenericDataArray.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationObjectBaseKey.h>
 #include <vtkObjectFactory.h>
+
+#include <algorithm>
 
 namespace TemporalCoherence
 {
@@ -134,6 +137,32 @@ vtkSmartPointer<vtkDataArray> MakeArray(const std::shared_ptr<const OutOfCoreVol
   holder->Volume = volume;
   array->GetInformation()->Set(VolumeHolder::Key(), holder);
   return array;
+}
+
+vtkSmartPointer<vtkImageData> MakeCoarseImage(const OutOfCoreVolume& volume)
+{
+  const std::shared_ptr<const StandIn>& coarse = volume.Coarse();
+  if (!coarse)
+  {
+    return nullptr;
+  }
+  const Field& field = coarse->Samples;
+  const VolumeLevel& level = volume.Level();
+  const glm::dvec3 spacing = coarse->Step * level.Spacing;
+  const glm::dvec3 origin = level.Origin + coarse->First * level.Spacing;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(&field.Dimensions.x);
+  image->SetSpacing(&spacing.x);
+  image->SetOrigin(&origin.x);
+  DispatchScalarType(field.Type,
+    [&](auto type)
+    {
+      using T = decltype(type);
+      image->AllocateScalars(vtkTypeTraits<T>::VTKTypeID(), 1);
+      std::copy_n(static_cast<const T*>(field.Samples), CountOfSamples(field.Dimensions),
+        static_cast<T*>(image->GetScalarPointer()));
+    });
+  return image;
 }
 
 std::shared_ptr<const OutOfCoreVolume> VolumeOf(vtkDataArray* array)

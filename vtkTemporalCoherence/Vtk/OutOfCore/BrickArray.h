@@ -11,6 +11,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
+class vtkImageData;
 VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
@@ -22,6 +23,11 @@ class OutOfCoreVolume;
 /// cannot be changed. Of a mapped volume it is an ordinary array, in place. Any other has no
 /// address: filters of VTK that ask for values, one at a time, get them, if slowly.
 vtkSmartPointer<vtkDataArray> MakeArray(const std::shared_ptr<const OutOfCoreVolume>& volume);
+
+/// A copy of the small field that stands in for a volume (OutOfCoreVolume::Coarse), where it lies;
+/// null if there is none.
+/// \throws std::bad_alloc
+vtkSmartPointer<vtkImageData> MakeCoarseImage(const OutOfCoreVolume& volume);
 
 /// The volume of an array that MakeArray made; null for other arrays.
 std::shared_ptr<const OutOfCoreVolume> VolumeOf(vtkDataArray* array);

@@ -69,7 +69,15 @@ Hdf5DataSet::Stored Hdf5DataSet::FindChunk(const glm::ivec3& first, StoredChunk&
   }
   stored.Bytes.resize(static_cast<std::size_t>(size));
   std::uint32_t skipped = 0;
-  if (H5Dread_chunk(this->Data.Get(), H5P_DEFAULT, offset, &skipped, stored.Bytes.data()) < 0)
+#if H5_VERSION_GE(2, 0, 0)
+  std::size_t room = stored.Bytes.size();
+  const herr_t result =
+    H5Dread_chunk2(this->Data.Get(), H5P_DEFAULT, offset, &skipped, stored.Bytes.data(), &room);
+#else
+  const herr_t result =
+    H5Dread_chunk(this->Data.Get(), H5P_DEFAULT, offset, &skipped, stored.Bytes.data());
+#endif
+  if (result < 0)
   {
     return Stored::Damaged;
   }

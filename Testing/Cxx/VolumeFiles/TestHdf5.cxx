@@ -212,6 +212,47 @@ TEST(Hdf5, GivesTheFillValueForMissingChunks)
   }
 }
 
+TEST(Hdf5, ReadsHalfPrecisionAsSinglePrecision)
+{
+  const std::string path = Folder("vtkTemporalCoherenceHdf5") + "half.h5";
+  const hid_t half = H5Tcopy(H5T_IEEE_F32BE);
+  H5Tset_fields(half, 15, 10, 5, 0, 10);
+  H5Tset_size(half, 2);
+  H5Tset_ebias(half, 15);
+  std::vector<float> values;
+  for (int i = 0; i < 8 * 8 * 8; ++i)
+  {
+    values.push_back(0.25f * static_cast<float>(i) - 17.0f);
+  }
+  for (const bool isCompressed : { false, true })
+  {
+    const hsize_t sizes[3] = { 8, 8, 8 };
+    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(3, sizes, nullptr);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(properties, 3, sizes);
+    if (isCompressed)
+    {
+      H5Pset_shuffle(properties);
+      H5Pset_deflate(properties, 3);
+    }
+    const hid_t data = H5Dcreate2(file, "half", half, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    H5Dwrite(data, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(data);
+    H5Pclose(properties);
+    H5Sclose(space);
+    H5Fclose(file);
+    std::string error;
+    const auto volume = OpenHdf5(path, {}, error);
+    ASSERT_TRUE(volume) << error;
+    EXPECT_EQ(volume->Type(), ScalarType::Float32);
+    std::vector<float> samples(values.size());
+    ASSERT_TRUE(volume->ReadChunk(0, glm::ivec3(0), samples.data(), error)) << error;
+    EXPECT_EQ(samples, values);
+  }
+  H5Tclose(half);
+}
+
 TEST(Hdf5, ReadsFromThreads)
 {
   const std::string path = Folder("vtkTemporalCoherenceHdf5") + "threads.ims";

@@ -80,6 +80,11 @@ bool ReadTriples(
   {
     return false;
   }
+  const Hdf5Handle type(H5Dget_type(data.Get()), H5Tclose);
+  if (H5Dget_storage_size(data.Get()) < sizes[0] * 3 * H5Tget_size(type.Get()))
+  {
+    return false;
+  }
   rows.resize(static_cast<std::size_t>(sizes[0]));
   return H5Dread(data.Get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &rows[0].x) >= 0;
 }

@@ -50,8 +50,8 @@ bool Hdf5DataSet::Open(const Hdf5File& file, const std::string& name, std::strin
 
 bool Hdf5DataSet::FindType(std::string& error)
 {
-  const Hdf5Handle type(H5Dget_type(this->Data.Get()), H5Tclose);
-  if (!FindScalarType(type.Get(), this->SampleType))
+  this->FileType = Hdf5Handle(H5Dget_type(this->Data.Get()), H5Tclose);
+  if (!FindScalarType(this->FileType.Get(), this->SampleType))
   {
     error = this->Text +
       "has samples that are no single integers or floating-point numbers of 8 to 64 bits; choose "
@@ -59,7 +59,8 @@ bool Hdf5DataSet::FindType(std::string& error)
     return false;
   }
   this->MemoryType = MemoryTypeOf(this->SampleType);
-  this->IsDecodedHere = H5Tequal(type.Get(), this->MemoryType) > 0;
+  this->FileSampleSize = H5Tget_size(this->FileType.Get());
+  this->NeedsConversion = H5Tequal(this->FileType.Get(), this->MemoryType) <= 0;
   return true;
 }
 
@@ -99,11 +100,11 @@ bool Hdf5DataSet::FindStorage(std::string& error)
       ", which are not followed; copy the samples into one HDF5 file.";
     return false;
   }
-  if (layout != H5D_CHUNKED)
+  this->IsChunked = layout == H5D_CHUNKED;
+  if (!this->IsChunked)
   {
-    this->IsDecodedHere = false;
     this->ChunkSize = SlabChunk(this->Size, this->SampleSize(), MostOfSlab, MostOfSlab);
-    return true;
+    return this->CheckStoredBytes(layout, error);
   }
   hsize_t sizes[3] = {};
   if (H5Pget_chunk(properties.Get(), 3, sizes) != 3)
@@ -123,10 +124,31 @@ bool Hdf5DataSet::FindStorage(std::string& error)
   return this->FindFilters(properties.Get(), error);
 }
 
+/// Check that samples without chunks are as many as they should be. HDF5 1.10 reads beyond the end
+/// of samples that are stored among the metadata.
+bool Hdf5DataSet::CheckStoredBytes(H5D_layout_t layout, std::string& error) const
+{
+  const glm::dvec3 size(this->Size);
+  const double expected = size.x * size.y * size.z * static_cast<double>(this->FileSampleSize);
+  const auto stored = static_cast<double>(H5Dget_storage_size(this->Data.Get()));
+  const bool isUnwritten = stored == 0.0 && layout == H5D_CONTIGUOUS;
+  if (stored < expected && !isUnwritten)
+  {
+    error = this->Text + "has fewer samples than its size says; get the file again.";
+    return false;
+  }
+  return true;
+}
+
 /// See whether HDF5 is needed to decode chunks, and whether it is able to.
 bool Hdf5DataSet::FindFilters(hid_t properties, std::string& error)
 {
   const int count = H5Pget_nfilters(properties);
+  this->FilterCount = count;
+  // Without filters, HDF5 reads into place.
+  unsigned options = 0;
+  this->IsDecodedHere = count > 0 && H5Pget_chunk_opts(properties, &options) >= 0 &&
+    (options & H5D_CHUNK_DONT_FILTER_PARTIAL_CHUNKS) == 0;
   for (int i = 0; i < count; ++i)
   {
     unsigned flags = 0, config = 0;
@@ -152,8 +174,6 @@ bool Hdf5DataSet::FindFilters(hid_t properties, std::string& error)
       }
     }
   }
-  // A chunk without filters is read into place by HDF5 without a copy.
-  this->IsDecodedHere = this->IsDecodedHere && count > 0;
   return true;
 }
 

@@ -44,21 +44,36 @@ private:
   bool FindType(std::string& error);
   bool FindSize(std::string& error);
   bool FindStorage(std::string& error);
+  bool CheckStoredBytes(H5D_layout_t layout, std::string& error) const;
   bool FindFilters(hid_t properties, std::string& error);
 
-  bool ReadAndDecode(const glm::ivec3& first, void* samples) const;
-  bool FindChunk(const glm::ivec3& first, StoredChunk& stored) const;
+  /// What the file has of a chunk.
+  enum class Stored
+  {
+    Decodable, ///< bytes to decode without HDF5
+    ForHdf5,   ///< nothing, or bytes that HDF5 decodes
+    Damaged
+  };
+
+  bool Read(const glm::ivec3& first, void* samples) const;
+  Stored FindChunk(const glm::ivec3& first, StoredChunk& stored) const;
+  bool Convert(void* samples) const;
   bool ReadByHdf5(const glm::ivec3& first, void* samples) const;
 
   std::size_t SampleSize() const { return SizeOf(this->SampleType); }
-  std::size_t ChunkBytes() const;
+  std::size_t SamplesOfChunk() const;
 
   std::string Text; ///< "Data set 'name' of file 'path' "
   Hdf5Handle Data;
+  Hdf5Handle FileType;
+  std::size_t FileSampleSize = 1;     ///< bytes of a sample in the file
   hid_t MemoryType = H5I_INVALID_HID; ///< HDF5's own; not to be closed
+  bool NeedsConversion = false;       ///< as the types differ
   ScalarType SampleType = ScalarType::UInt8;
   glm::ivec3 Size{ 0 };
   glm::ivec3 ChunkSize{ 0 };
+  bool IsChunked = false;
+  int FilterCount = 0;
   Hdf5Filters Filters;
   bool IsDecodedHere = false; ///< chunks are decoded without HDF5, while others read
 };

@@ -9,20 +9,15 @@
 namespace TemporalCoherence
 {
 
-std::size_t Hdf5DataSet::ChunkBytes() const
+std::size_t Hdf5DataSet::SamplesOfChunk() const
 {
-  return this->SampleSize() * static_cast<std::size_t>(this->ChunkSize.x) *
-    static_cast<std::size_t>(this->ChunkSize.y) * static_cast<std::size_t>(this->ChunkSize.z);
+  return static_cast<std::size_t>(this->ChunkSize.x) * static_cast<std::size_t>(this->ChunkSize.y) *
+    static_cast<std::size_t>(this->ChunkSize.z);
 }
 
 bool Hdf5DataSet::Read(const glm::ivec3& first, void* samples, std::string& error) const
 {
-  if (this->IsDecodedHere && this->ReadAndDecode(first, samples))
-  {
-    return true;
-  }
-  const Hdf5Turn turn;
-  if (this->ReadByHdf5(first, samples))
+  if (this->Read(first, samples))
   {
     return true;
   }
@@ -32,41 +27,70 @@ bool Hdf5DataSet::Read(const glm::ivec3& first, void* samples, std::string& erro
   return false;
 }
 
-/// Read a chunk, then decode it while others read.
-/// \return false if HDF5 is to read it
-bool Hdf5DataSet::ReadAndDecode(const glm::ivec3& first, void* samples) const
+bool Hdf5DataSet::Read(const glm::ivec3& first, void* samples) const
 {
   StoredChunk stored;
   {
     const Hdf5Turn turn;
-    if (!this->FindChunk(first, stored))
+    const Stored found = this->FindChunk(first, stored);
+    if (found != Stored::Decodable)
     {
-      return false;
+      return found == Stored::ForHdf5 && this->ReadByHdf5(first, samples);
     }
   }
-  return DecodeChunk(stored, this->SampleSize(), samples, this->ChunkBytes());
+  const std::size_t bytes = this->SamplesOfChunk() * this->FileSampleSize;
+  return DecodeChunk(stored, this->FileSampleSize, samples, bytes) &&
+    (!this->NeedsConversion || this->Convert(samples));
 }
 
-/// Read the stored bytes of a chunk.
-/// \return false if it was not written, or is for HDF5 to judge
-bool Hdf5DataSet::FindChunk(const glm::ivec3& first, StoredChunk& stored) const
+/// Read the bytes of a chunk if they are to be decoded without HDF5. Sizes are checked in any case:
+/// HDF5 1.10 reads beyond the end of a chunk that is too short.
+Hdf5DataSet::Stored Hdf5DataSet::FindChunk(const glm::ivec3& first, StoredChunk& stored) const
 {
+  if (!this->IsChunked)
+  {
+    return Stored::ForHdf5;
+  }
   const hsize_t offset[3] = { static_cast<hsize_t>(first.z), static_cast<hsize_t>(first.y),
     static_cast<hsize_t>(first.x) };
+  const std::size_t bytes = this->SamplesOfChunk() * this->FileSampleSize;
   hsize_t size = 0;
-  if (H5Dget_chunk_storage_size(this->Data.Get(), offset, &size) < 0 || size == 0 ||
-    size > MostStoredBytes(this->ChunkBytes()))
+  if (H5Dget_chunk_storage_size(this->Data.Get(), offset, &size) < 0 || size == 0)
   {
-    return false;
+    return Stored::ForHdf5;
+  }
+  if (!this->IsDecodedHere)
+  {
+    return this->FilterCount > 0 || size == bytes ? Stored::ForHdf5 : Stored::Damaged;
+  }
+  if (size > MostStoredBytes(bytes))
+  {
+    return Stored::Damaged;
   }
   stored.Bytes.resize(static_cast<std::size_t>(size));
   std::uint32_t skipped = 0;
-  if (H5Dread_chunk(this->Data.Get(), H5P_DEFAULT, offset, &skipped, stored.Bytes.data()) < 0)
+#if H5_VERSION_GE(2, 0, 0)
+  std::size_t room = stored.Bytes.size();
+  const herr_t result =
+    H5Dread_chunk2(this->Data.Get(), H5P_DEFAULT, offset, &skipped, stored.Bytes.data(), &room);
+#else
+  const herr_t result =
+    H5Dread_chunk(this->Data.Get(), H5P_DEFAULT, offset, &skipped, stored.Bytes.data());
+#endif
+  if (result < 0)
   {
-    return false;
+    return Stored::Damaged;
   }
   stored.Filters = this->Filters.Without(skipped);
-  return true;
+  return Stored::Decodable;
+}
+
+/// Convert a chunk in its place. A sample in the file is never larger than in memory.
+bool Hdf5DataSet::Convert(void* samples) const
+{
+  const Hdf5Turn turn;
+  return H5Tconvert(this->FileType.Get(), this->MemoryType, this->SamplesOfChunk(), samples,
+           nullptr, H5P_DEFAULT) >= 0;
 }
 
 /// Let HDF5 read, decode and convert a chunk. Chunks that were not written get the fill value.

@@ -15,9 +15,12 @@ namespace TemporalCoherence
 /// three dimensions in the order z, y, x. The file stays open as long as the volume lives.
 ///
 /// Threads read one after the other, as HDF5 demands. Chunks that are compressed by deflate alone,
-/// or by shuffle and deflate, and that need no conversion, are decoded in parallel. Samples may be
-/// integers of 8 to 64 bits, or floating-point numbers of 16 (read as 32), 32 and 64 bits, in
-/// either byte order. Volumes that lead to other files are refused.
+/// or by shuffle and deflate, are decompressed in parallel. Samples may be integers of 8 to 64
+/// bits, or floating-point numbers of 16 (read as 32), 32 and 64 bits, in either byte order.
+/// Volumes that lead to other files are refused.
+///
+/// Other users of HDF5 in the process, such as vtkHDFReader, do not wait for these threads. They
+/// may run at the same time only if the library was built to be thread-safe.
 ///
 /// \param choice a channel and a time point of Imaris; a setup and a time point of BigDataViewer;
 ///               or, with the name of a data set, that one of any file

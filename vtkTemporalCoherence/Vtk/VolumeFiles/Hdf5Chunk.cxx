@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeFiles/Hdf5Chunk.h"
 
-#include <vtk_zlib.h>
+#include <zlib.h>
 
 #include <cstring>
 #include <new>

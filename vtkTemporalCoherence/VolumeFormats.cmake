@@ -25,7 +25,8 @@ set(volume_format_files
   ReaderOutput
   ReaderVolume
   VtiHeader
-  VtiVolume)
+  VtiVolume
+  VtkTypes)
 set(volume_format_definitions)
 set(volume_format_libraries)
 set(volume_format_includes)

@@ -5,6 +5,7 @@
 #include "OutOfCore/BrickArray.h"
 #include "OutOfCore/OutOfCoreVolume.h"
 #include "OutOfCore/VolumeOpener.h"
+#include "VolumeFiles/VtkTypes.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

@@ -5,7 +5,7 @@
  * @brief   an image that is larger than memory: its samples are read when they are needed
  *
  * A picture of an isosurface needs few samples of a volume. This source gives an image whose
- * samples stay where they are: in a file, or behind a reader of VTK. Connect a
+ * samples stay in a file, or behind a reader of VTK. Connect a
  * vtkTemporalCoherenceVolumeMapper to it as to any other source (or call the mapper's
  * SetBrickSource). The mapper reads the parts of the volume that its rays meet, and keeps those in
  * memory that were needed last. Pictures are the same as of the whole volume in memory.
@@ -58,8 +58,8 @@ public:
 
   //@{
   /**
-   * Set/Get the file or the folder of the volume (default: empty). Does not count if there is a
-   * reader.
+   * Set/Get the file or the folder of the volume (default: empty). A reader takes precedence over
+   * it.
    */
   virtual void SetFileName(const std::string& name);
   std::string GetFileName() const { return this->FileName; }
@@ -122,8 +122,8 @@ public:
   //@{
   /**
    * Set/Get the bytes of memory that samples may take, from 1 MiB on (default: 1.5 GiB, so that a
-   * program with one volume and its pictures stays below 2 GiB). Mapped files take none. What one
-   * tile of a picture needs is read even if it is more. It can be changed at any time.
+   * program with one volume and its pictures stays below 2 GiB). Mapped files take none. A tile of
+   * a picture may need more bytes: the limit is exceeded then. It can be changed at any time.
    */
   virtual void SetMemoryLimit(vtkTypeInt64 bytes);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
@@ -151,8 +151,8 @@ public:
   /**
    * Get a small image in memory that tells what the volume holds, for histograms and overviews: a
    * coarser level of at most four million samples, or else the middles of the value ranges of
-   * blocks. It lies where the volume lies. Call Update() before. Null if the volume itself is that
-   * small, or if there is none.
+   * blocks. It lies where the volume lies. Call Update() before. Null: the volume itself is small, or
+   * missing.
    */
   vtkImageData* GetCoarseImage();
 

@@ -59,6 +59,7 @@ class View:
         colors.AddRGBPoint(isovalue, 0.85, 0.75, 0.6)
         self.volume.GetProperty().SetColor(colors)
         self.volume.GetProperty().ShadeOn()
+        self.volume.GetProperty().SetInterpolationTypeToLinear()
         self.mapper.SetBlendModeToIsoSurface()
         self.mapper.SetAntialiasingToOff()
         self.renderer = vtkRenderer()

@@ -22,8 +22,8 @@ namespace TemporalCoherence
 /// The samples of a volume, in bricks that are read when they are needed, and dropped when memory
 /// is short: the least recently used ones first.
 ///
-/// A brick owns 32^3 cells. It also holds the samples around them that gradients need, one before
-/// and two behind along each axis. So code that has the address of a cell's first sample finds all
+/// A brick owns 32^3 cells. Gradients also need neighbouring samples: one layer before the cells, two
+/// layers behind them. The brick holds these, too. So code that has the address of a cell's first sample finds all
 /// samples that the cell needs at constant strides, whichever brick it is in.
 class BrickCache
 {
@@ -45,8 +45,8 @@ public:
   /// Samples from one to the next along x, y and z within a brick.
   static glm::i64vec3 Strides() { return { 1, Edge, Edge * Edge }; }
 
-  /// The address of a sample; valid until this thread's SampleUse ends. Reads its brick if that is
-  /// not there. Samples from one before to two behind along each axis can be reached from here.
+  /// The address of a sample; valid until this thread's SampleUse ends. Reads a missing brick.
+  /// Strides reach the neighbouring samples from here: one before, two behind along each axis.
   template <typename T>
   const T* At(int i, int j, int k) const
   {
@@ -57,14 +57,14 @@ public:
   /// The bytes that bricks may take; at least those that a tile needs are kept, whatever this says.
   void SetLimit(std::size_t bytes) const;
 
-  /// From this time on, bricks that are not there are not read: their samples are given as zeros,
-  /// and SampleUse::HasMissed tells so.
+  /// From this time on, missing bricks are not read: zeros are given for their samples, and
+  /// SampleUse::HasMissed tells so.
   /// \param time of std::chrono::steady_clock since its epoch, in ns; Patient: wait for all bricks
   void GiveUpAt(std::int64_t time) const { this->Deadline.store(time); }
   static constexpr std::int64_t Patient = -1;
 
-  /// Read a brick if it is not there and memory allows it without dropping one that was used at
-  /// `since` or later.
+  /// Read a missing brick, unless that would drop a brick that was used at time `since` or
+  /// later.
   /// \return false if memory is short
   bool ReadAhead(std::int64_t brick, std::uint64_t since) const;
 
@@ -77,7 +77,7 @@ public:
     return this->Entries[static_cast<std::size_t>(brick)].Samples.load() != nullptr;
   }
 
-  /// The bricks around a brick, itself too, as far as there are any.
+  /// The brick and its neighbours, at most 27 bricks.
   std::vector<std::int64_t> Around(std::int64_t brick) const;
 
   /// The first cell of a brick.

@@ -16,7 +16,7 @@ std::atomic<std::uint64_t> Clock{ 1 };
 std::atomic<SampleUse::Thread*> SampleUse::Threads{ nullptr };
 
 /// Takes an entry of the list for a thread, and gives it back when the thread ends. Entries are
-/// never freed: their number is that of the threads that lived at one time.
+/// never freed: the list grows to the largest number of threads at one time.
 struct SampleUse::Holder
 {
   Holder()
@@ -107,7 +107,7 @@ std::uint64_t SampleUse::Now()
 
 std::uint64_t SampleUse::Oldest()
 {
-  // A stretch that begins from here on is later.
+  // Stretches that begin after this line get later times.
   std::uint64_t oldest = Clock.load();
   for (const Thread* entry = Threads.load(); entry; entry = entry->Next)
   {

@@ -38,13 +38,13 @@ public:
     return time != Nothing ? time : BeginHere();
   }
 
-  /// The present time. It is not before the beginning of any stretch.
+  /// The present time: no stretch has begun later.
   static std::uint64_t Now();
 
   /// The beginning of the oldest stretch that goes on, or the present time if there is none.
   static std::uint64_t Oldest();
 
-  /// A sample could not be given: the results of this stretch are of no use.
+  /// A sample is missing: throw the results of this stretch away.
   static void Miss() { Own().HasMissed = true; }
 
   /// True if a sample was missing in this thread's stretch.

@@ -253,8 +253,13 @@ void FrameRenderer::KeepLight(SurfaceLight* ofPixels, SurfaceLight* ofEdges, Fra
   }
   if (!last.Doubts.empty())
   {
-    const auto traced = std::count(last.Doubts.begin(), last.Doubts.end(), 0.0f);
-    statistics.Progress *= static_cast<double>(traced) / static_cast<double>(last.Doubts.size());
+    const auto traced =
+      static_cast<double>(std::count(last.Doubts.begin(), last.Doubts.end(), 0.0f));
+    // Reading bricks is progress, too, but less than a finished tile.
+    const std::shared_ptr<const BrickCache>& bricks = task.Key.Samples.Bricks;
+    const double begun =
+      bricks ? 1.0 - 1.0 / (1.0 + 1e-4 * static_cast<double>(bricks->NumberOfReads())) : 0.0;
+    statistics.Progress *= (traced + begun) / static_cast<double>(last.Doubts.size());
   }
 }
 
@@ -302,7 +307,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
   return task.Key.IsBlended() ? BlendCold(task) : TraceCold(task);
 }
 
-/// Make a frame that does not wait for samples. If none were missing it is a cold one.
+/// Make a frame that does not wait for samples. Without missing samples its route is Cold.
 bool FrameRenderer::MakeInTime(Route& route, FrameTask& task)
 {
   const bool isMade = TraceInTime(task, this->Grid);

@@ -44,7 +44,7 @@ struct Field
   glm::ivec3 Dimensions{ 0 };      ///< samples along each axis
   glm::i64vec3 Strides{ 1, 0, 0 }; ///< scalars from one sample to the next along each axis
   std::uint64_t Stamp = 0;         ///< differs whenever the samples may have changed
-  /// Where samples are that are read from elsewhere when they are needed; else null. The strides
+  /// Samples of a large volume, which are read on demand; null: all samples are in memory. Strides
   /// count within a brick.
   std::shared_ptr<const BrickCache> Bricks;
   /// The value ranges, if they are known from elsewhere; else null.
@@ -103,8 +103,8 @@ struct TypedField
   {
   }
 
-  /// The address of a sample. Those from one before it to two behind it along each axis lie at
-  /// Strides from it. Of samples in bricks the address is valid for one SampleUse.
+  /// The address of a sample. Strides reach the neighbouring samples from here: one before, two
+  /// behind along each axis. Of samples in bricks the address is valid for one SampleUse.
   const T* At(int i, int j, int k) const
   {
     if (this->Bricks)

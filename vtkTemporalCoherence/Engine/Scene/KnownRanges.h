@@ -13,7 +13,7 @@
 namespace TemporalCoherence
 {
 
-/// What is known of the values of a field: the smallest and largest sample in each block of cells
+/// Value ranges of a field: the smallest and largest sample in each block of cells
 /// (CellBlocks). Large volumes keep it in a file, which is mapped.
 struct KnownRanges
 {

@@ -35,7 +35,7 @@ public:
 
   void SetLimit(std::size_t limit);
 
-  /// What was wrong with the first chunk that could not be read; empty if all could.
+  /// The mistake in the first unreadable chunk; empty: all chunks were readable.
   std::string Mistake() const;
 
   /// How many chunks could not be read.

@@ -10,8 +10,8 @@
 namespace TemporalCoherence
 {
 
-/// A file whose bytes are used as memory. It gets its name when it is complete, so that no program
-/// ever finds a part of it. On systems without POSIX there are no such files.
+/// A file whose bytes serve as memory. A complete file gets its name at last, so no program finds
+/// half a file. Systems without POSIX have no such files.
 class FileRoom
 {
 public:
@@ -19,8 +19,8 @@ public:
   /// \return null if it cannot be read
   static std::shared_ptr<const FileRoom> Open(const std::string& path);
 
-  /// Make a file for writing. Its space on the disk is reserved, so that the disk cannot become too
-  /// full for it later. Unless it is kept it is gone in the end.
+  /// Make a file for writing. Its space on the disk is reserved, so a full disk
+  /// cannot stop the writing. Without Keep() the file is deleted.
   /// \param path name of the finished file
   /// \return null if it cannot be made
   static std::shared_ptr<FileRoom> Create(const std::string& path, std::size_t bytes);

@@ -23,7 +23,7 @@ constexpr std::size_t OneOfChunks = 4;
 /// Bricks to read ahead after a frame.
 constexpr std::size_t MostAhead = 1024;
 
-/// Bricks, and the chunks that they are made of.
+/// A reader of bricks, with its chunks.
 struct ReaderOfChunks
 {
   std::shared_ptr<ChunkCache> Chunks;
@@ -87,7 +87,7 @@ bool OutOfCoreVolume::FindRanges(
   }
   this->Known = std::make_shared<const KnownRanges>(*found);
   error = this->TakeMistake();
-  // Ranges of a volume that could not be read are not kept.
+  // After a mistake the ranges may be wrong: no file keeps them.
   this->AreKept = error.empty() && file.Finish(*this->Known);
   return error.empty();
 }

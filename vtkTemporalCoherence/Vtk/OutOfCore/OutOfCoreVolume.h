@@ -68,7 +68,7 @@ public:
   /// \param since     time of SampleUse at which the last frame began
   void Follow(const std::vector<double>& isovalues, std::uint64_t since) const;
 
-  /// What could not be read since the last call; empty if nothing.
+  /// The mistakes in reading since the last call; empty: no mistakes.
   std::string TakeMistake() const;
 
   /// Bytes of samples in memory that this volume holds. Mapped ones do not count.

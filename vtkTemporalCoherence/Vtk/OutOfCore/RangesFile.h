@@ -32,11 +32,11 @@ public:
   RangesFile(std::vector<std::string> paths, std::uint64_t hash, ScalarType type,
     const glm::ivec3& dimensions);
 
-  /// The ranges that the file holds; null if there are none of this volume.
+  /// The ranges in the file; null: the file holds no ranges of this volume.
   /// \throws std::bad_alloc
   std::shared_ptr<const KnownRanges> Load() const;
 
-  /// Room for ranges to be computed: in a file, or in memory where no file can be written.
+  /// Room for new ranges: in a file, or in memory if no folder allows a file.
   /// \throws std::bad_alloc
   std::shared_ptr<std::byte> MakeRoom();
 

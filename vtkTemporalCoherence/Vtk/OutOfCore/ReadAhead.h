@@ -25,7 +25,7 @@ public:
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
 
-  /// Read these bricks, in this order. Those that were wanted before are no longer wanted.
+  /// Read these bricks, in this order. Forget earlier wishes.
   /// \param since bricks used at this time of SampleUse or later are not dropped for them
   void Want(std::vector<std::int64_t> bricks, std::uint64_t since);
 

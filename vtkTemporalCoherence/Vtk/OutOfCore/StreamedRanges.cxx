@@ -50,7 +50,7 @@ public:
     , Nodes(CellBlocks::NodesFor(this->Size))
     , Bytes(SizeOf(type))
   {
-    // As many nodes as a chunk has, if these are not too many.
+    // As many nodes as a chunk has; fewer of large chunks.
     const glm::ivec3& chunk = chunks.Level().Chunk;
     const std::int64_t ofRow =
       static_cast<std::int64_t>(this->Size.x) * NodeSize * NodeSize * std::int64_t(this->Bytes);

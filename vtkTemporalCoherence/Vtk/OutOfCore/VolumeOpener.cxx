@@ -8,6 +8,7 @@
 #include "VolumeFiles/RawVolume.h"
 #include "VolumeFiles/ReaderVolume.h"
 #include "VolumeFiles/VtiVolume.h"
+#include "VolumeFiles/VtkTypes.h"
 #ifdef TEMPORAL_COHERENCE_HAS_ZARR
 #include "VolumeFiles/ZarrVolume.h"
 #endif
@@ -15,13 +16,10 @@
 #include "VolumeFiles/Hdf5Volume.h"
 #endif
 
-#include <vtkType.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -38,20 +36,6 @@ std::string ExtensionOf(const fs::path& path)
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
-}
-
-std::optional<ScalarType> TypeOfVtk(int type)
-{
-  for (const ScalarType known : { ScalarType::Int8, ScalarType::UInt8, ScalarType::Int16,
-         ScalarType::UInt16, ScalarType::Int32, ScalarType::UInt32, ScalarType::Int64,
-         ScalarType::UInt64, ScalarType::Float32, ScalarType::Float64 })
-  {
-    if (VtkTypeOf(known) == type)
-    {
-      return known;
-    }
-  }
-  return std::nullopt;
 }
 
 std::unique_ptr<VolumeFile> OpenRawSamples(const VolumeRequest& request, std::string& error)
@@ -153,34 +137,6 @@ std::shared_ptr<const VolumeFile> OpenVolume(const VolumeRequest& request, std::
     "a "
     "reader with SetReader.";
   return nullptr;
-}
-
-int VtkTypeOf(ScalarType type)
-{
-  switch (type)
-  {
-    case ScalarType::Int8:
-      return VTK_SIGNED_CHAR;
-    case ScalarType::UInt8:
-      return VTK_UNSIGNED_CHAR;
-    case ScalarType::Int16:
-      return VTK_SHORT;
-    case ScalarType::UInt16:
-      return VTK_UNSIGNED_SHORT;
-    case ScalarType::Int32:
-      return VTK_INT;
-    case ScalarType::UInt32:
-      return VTK_UNSIGNED_INT;
-    case ScalarType::Int64:
-      return VTK_LONG_LONG;
-    case ScalarType::UInt64:
-      return VTK_UNSIGNED_LONG_LONG;
-    case ScalarType::Float32:
-      return VTK_FLOAT;
-    case ScalarType::Float64:
-      break;
-  }
-  return VTK_DOUBLE;
 }
 
 std::vector<std::string> RangesPathsOf(const std::string& path, const std::string& folder,

@@ -39,9 +39,6 @@ struct VolumeRequest
 /// \throws std::bad_alloc
 std::shared_ptr<const VolumeFile> OpenVolume(const VolumeRequest& request, std::string& error);
 
-/// VTK's number of a type.
-int VtkTypeOf(ScalarType type);
-
 /// Where the value ranges of a volume may be kept: the best place first.
 /// \param path   of the volume; empty if a reader gives it
 /// \param folder that the user chose; empty for none

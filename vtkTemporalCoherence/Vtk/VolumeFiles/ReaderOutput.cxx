@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeFiles/ReaderOutput.h"
 
-#include "Input/SamplesOfArray.h"
 #include "VolumeFiles/ReaderErrors.h"
 #include "VolumeFiles/ReaderFiles.h"
 
@@ -26,7 +25,7 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// The array of samples; null with a sentence if there is none.
+/// The array of samples; null, with an error, without such an array.
 vtkDataArray* FindArray(vtkAlgorithm* reader, const std::string& name, std::string& error)
 {
   auto* const image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
@@ -60,7 +59,8 @@ bool TakeSamples(
   }
   auto* const image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
   image->GetExtent(samples.Part.Ends.data());
-  const std::int64_t count = CountSamples(image, false);
+  const glm::i64vec3 size(samples.Part.Size());
+  const std::int64_t count = size.x * size.y * size.z;
   if (samples.Array->GetNumberOfTuples() < count)
   {
     error = ReaderText(reader) + "gives only " +
@@ -68,13 +68,22 @@ bool TakeSamples(
       " samples; get the file again, or choose another array.";
     return false;
   }
-  if (!AreInPlace(samples.Array) || SamplesOf(samples.Array, 0).Step != 1)
+  const std::optional<ScalarType> type = TypeOfVtk(samples.Array->GetDataType());
+  if (!type)
   {
-    samples.Array = CopyInPlace(samples.Array);
+    error = ReaderText(reader) + "gives samples of type " + samples.Array->GetDataTypeAsString() +
+      ", which are no numbers; choose another array.";
+    return false;
   }
-  const ArraySamples found = SamplesOf(samples.Array, 0);
-  samples.First = found.First;
-  samples.Type = found.Type;
+  if (!samples.Array->HasStandardMemoryLayout())
+  {
+    const auto copy = vtkSmartPointer<vtkDataArray>::Take(
+      vtkDataArray::CreateDataArray(samples.Array->GetDataType()));
+    copy->DeepCopy(samples.Array);
+    samples.Array = copy;
+  }
+  samples.First = samples.Array->GetVoidPointer(0);
+  samples.Type = *type;
   return true;
 }
 
@@ -130,7 +139,7 @@ bool ReadPart(vtkAlgorithm* reader, ReaderErrors& errors, const Extent& asked,
   }
   if (reader->IsA("vtkTIFFReader"))
   {
-    // It reads the first page again and again unless it has just read the information.
+    // This reader reads page 1 for all slices unless it has just read the information.
     reader->Modified();
   }
   const bool isDone = reader->UpdateExtent(asked.Ends.data()) != 0;

@@ -31,7 +31,7 @@ public:
   {
     if constexpr (sizeof(T) <= 2)
     {
-      // As kernels do it, so that it does not matter where samples lie.
+      // The kernels round in the same way, so samples may lie anywhere in memory.
       return static_cast<float>(sample) * this->Scale.PerValue + this->Scale.Shift;
     }
     else

@@ -210,6 +210,7 @@ set(bridge_files
   OutOfCore/ReadAhead
   OutOfCore/SampleHash
   OutOfCore/StreamedRanges
+  OutOfCore/VolumeOfArray
   OutOfCore/VolumeOpener
   Input/BlockCopy
   Input/CellOrigins

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a volume larger than memory costs.
 
-usage: python3 large.py [--isovalue V] [--limit MIB] [--frames N] [--memory] [--rounds N] VOLUME
+usage: python3 large.py [--isovalue V] [--limit MIB] [--frames N] [--memory] VOLUME
 
 VOLUME is anything that vtkTemporalCoherenceBrickSource takes. 1280 x 720 pixels; the volume fills the
 height. Prints in ms of the wall clock: opening (value ranges are found anew, then taken from their
@@ -22,7 +22,7 @@ import tempfile
 import time
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkTemporalCoherence import vtkTemporalCoherenceBrickSource, vtkTemporalCoherenceVolumeMapper
 
@@ -55,6 +55,9 @@ class View:
         values = self.volume.GetProperty().GetIsoSurfaceValues()
         values.SetValue(0, isovalue)
         self.values = values
+        colors = vtkColorTransferFunction()
+        colors.AddRGBPoint(isovalue, 0.85, 0.75, 0.6)
+        self.volume.GetProperty().SetColor(colors)
         self.volume.GetProperty().ShadeOn()
         self.mapper.SetBlendModeToIsoSurface()
         self.mapper.SetAntialiasingToOff()

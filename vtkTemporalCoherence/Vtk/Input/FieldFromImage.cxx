@@ -5,8 +5,8 @@
 #include "Input/MatrixFromVtk.h"
 #include "Input/SamplesOfArray.h"
 #include "Input/VolumePlace.h"
-#include "OutOfCore/BrickArray.h"
 #include "OutOfCore/OutOfCoreVolume.h"
+#include "OutOfCore/VolumeOfArray.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

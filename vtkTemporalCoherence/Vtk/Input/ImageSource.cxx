@@ -4,7 +4,7 @@
 
 #include "Acceleration/FiniteRange.h"
 #include "Input/ToldChanges.h"
-#include "OutOfCore/BrickArray.h"
+#include "OutOfCore/VolumeOfArray.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataObjectTree.h>

@@ -3,12 +3,11 @@
 #include "OutOfCore/BrickArray.h"
 
 #include "OutOfCore/OutOfCoreVolume.h"
+#include "OutOfCore/VolumeOfArray.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkGenericDataArray.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
-#include <vtkInformationObjectBaseKey.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
@@ -17,25 +16,6 @@ namespace TemporalCoherence
 {
 namespace
 {
-
-/// The volume of an array, for its information: writers of files leave objects out.
-class VolumeHolder : public vtkObject
-{
-public:
-  static VolumeHolder* New();
-  vtkTypeMacro(VolumeHolder, vtkObject);
-
-  static vtkInformationObjectBaseKey* Key()
-  {
-    static vtkInformationObjectBaseKey* const key =
-      vtkInformationObjectBaseKey::MakeKey("OUT_OF_CORE", "vtkTemporalCoherenceVolumeMapper");
-    return key;
-  }
-
-  std::shared_ptr<const OutOfCoreVolume> Volume;
-};
-
-vtkStandardNewMacro(VolumeHolder);
 
 std::int64_t CountOfSamples(const glm::ivec3& dimensions)
 {
@@ -133,9 +113,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(const std::shared_ptr<const OutOfCoreVol
 {
   const auto array = DispatchScalarType(
     volume->File().Type(), [&](auto type) { return MakeArrayOf<decltype(type)>(volume); });
-  const auto holder = vtkSmartPointer<VolumeHolder>::New();
-  holder->Volume = volume;
-  array->GetInformation()->Set(VolumeHolder::Key(), holder);
+  SetVolume(array, volume);
   return array;
 }
 
@@ -163,20 +141,6 @@ vtkSmartPointer<vtkImageData> MakeCoarseImage(const OutOfCoreVolume& volume)
         static_cast<T*>(image->GetScalarPointer()));
     });
   return image;
-}
-
-std::shared_ptr<const OutOfCoreVolume> VolumeOf(vtkDataArray* array)
-{
-  const auto* const holder = array && array->HasInformation()
-    ? VolumeHolder::SafeDownCast(array->GetInformation()->Get(VolumeHolder::Key()))
-    : nullptr;
-  return holder ? holder->Volume : nullptr;
-}
-
-bool AreInBricks(vtkDataArray* array)
-{
-  const auto volume = VolumeOf(array);
-  return volume && volume->Bricks();
 }
 
 }

@@ -29,12 +29,6 @@ vtkSmartPointer<vtkDataArray> MakeArray(const std::shared_ptr<const OutOfCoreVol
 /// \throws std::bad_alloc
 vtkSmartPointer<vtkImageData> MakeCoarseImage(const OutOfCoreVolume& volume);
 
-/// The volume of an array that MakeArray made; null for other arrays.
-std::shared_ptr<const OutOfCoreVolume> VolumeOf(vtkDataArray* array);
-
-/// True if the samples of an array are read in bricks.
-bool AreInBricks(vtkDataArray* array);
-
 }
 
 #endif

@@ -15,6 +15,8 @@ ChunkCache::ChunkCache(std::shared_ptr<const VolumeFile> file, std::size_t level
   , BytesOfChunk(this->Level().SamplesOfChunk() * SizeOf(this->File->Type()))
   , Limit(limit)
 {
+  constexpr std::size_t most = 8; // about as many as are read at a time
+  this->Spare->Free.reserve(most);
 }
 
 std::shared_ptr<const std::byte> ChunkCache::Get(const glm::ivec3& chunk)
@@ -66,11 +68,39 @@ std::shared_ptr<const std::byte> ChunkCache::Get(const glm::ivec3& chunk)
   }
 }
 
+/// Room for a chunk. It becomes spare when nobody uses it.
+std::shared_ptr<std::byte> ChunkCache::MakeRoom() const
+{
+  std::unique_ptr<std::byte[]> room;
+  {
+    const std::lock_guard<std::mutex> lock(this->Spare->Guard);
+    if (!this->Spare->Free.empty())
+    {
+      room = std::move(this->Spare->Free.back());
+      this->Spare->Free.pop_back();
+    }
+  }
+  if (!room)
+  {
+    room.reset(new std::byte[this->BytesOfChunk]);
+  }
+  std::byte* const first = room.get();
+  const auto owner = std::make_shared<std::unique_ptr<std::byte[]>>(std::move(room));
+  return { first,
+    [owner, spare = this->Spare](std::byte*)
+    {
+      const std::lock_guard<std::mutex> lock(spare->Guard);
+      if (spare->Free.size() < spare->Free.capacity())
+      {
+        spare->Free.push_back(std::move(*owner));
+      }
+    } };
+}
+
 /// Read and decode a chunk.
 std::shared_ptr<const std::byte> ChunkCache::Read(const glm::ivec3& chunk, std::string& error) const
 {
-  const std::shared_ptr<std::byte> samples(
-    new std::byte[this->BytesOfChunk], std::default_delete<std::byte[]>());
+  const std::shared_ptr<std::byte> samples = this->MakeRoom();
   if (!this->File->ReadChunk(this->LevelNumber, chunk, samples.get(), error))
   {
     std::fill_n(samples.get(), this->BytesOfChunk, std::byte(0));

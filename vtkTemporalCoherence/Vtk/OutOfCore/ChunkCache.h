@@ -13,6 +13,7 @@
 #include <mutex>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -50,12 +51,21 @@ private:
     std::list<std::int64_t>::iterator Place;
   };
 
+  /// Rooms of dropped chunks, for new ones: they are large, and all alike.
+  struct Rooms
+  {
+    std::mutex Guard;
+    std::vector<std::unique_ptr<std::byte[]>> Free;
+  };
+
+  std::shared_ptr<std::byte> MakeRoom() const;
   Samples Read(const glm::ivec3& chunk, std::string& error) const;
   void Drop(std::size_t limit);
 
   std::shared_ptr<const VolumeFile> File;
   std::size_t LevelNumber;
   std::size_t BytesOfChunk;
+  std::shared_ptr<Rooms> Spare = std::make_shared<Rooms>();
 
   mutable std::mutex Guard; ///< of what follows
   std::condition_variable HasRead;

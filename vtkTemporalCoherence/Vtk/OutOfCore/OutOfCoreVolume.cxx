@@ -41,8 +41,8 @@ std::shared_ptr<OutOfCoreVolume> OutOfCoreVolume::Open(std::shared_ptr<const Vol
   const std::size_t bytes = SizeOf(volume->Source->Type());
   if (!volume->Mapped())
   {
-    volume->Chunks =
-      std::make_shared<ChunkCache>(volume->Source, options.Level, options.MemoryLimit);
+    volume->Chunks = std::make_shared<ChunkCache>(
+      volume->Source, options.Level, options.MemoryLimit / OneOfChunks);
   }
   if (!volume->FindRanges(options, report, error))
   {

@@ -35,9 +35,9 @@ if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS OR TEMPORAL_COHERENCE_B
     IOPLY RenderingAnnotation RenderingFreeType RenderingImage TestingCore TestingRendering jsoncpp png tiff zlib)
 endif ()
 set(vtk_chart_components)
-set(vtk_reader_components) # of meshes, for examples and benchmarks
+set(vtk_reader_components) # of meshes and HDF5, for examples, benchmarks and tests
 if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS OR TEMPORAL_COHERENCE_BUILD_PROGRAMS)
-  set(vtk_reader_components IOCGNSReader IOExodus IOParallel)
+  set(vtk_reader_components IOCGNSReader IOExodus IOHDF IOParallel)
 endif ()
 set(vtk_program_components)
 if (TEMPORAL_COHERENCE_BUILD_PROGRAMS)

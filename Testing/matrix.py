@@ -30,7 +30,8 @@ HEAD = """\
 `Testing/matrix.py` makes this page of the comments at the heads of the tests: change those, and run it.
 
 * `Testing/run.sh -R NAME` builds and runs the tests whose names contain NAME. In `Cxx`, a test has the name of its file. In
-  `Engine`, a test has the name of a suite: it stands in parentheses, or is the file's name without `Test`.
+  `Engine` and `Cxx/VolumeFiles`, a test has the name of a suite: it stands in parentheses, or is the file's name without
+  `Test`.
 * Scripts (`run.sh --help`) take long, or need more than a build. [Robustness](Robustness.md) tells what they found.
 * Brute force (`Common/Truth`; for blended volumes `Common/Integral`) shares no code with the engine.
 """

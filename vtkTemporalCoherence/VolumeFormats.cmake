@@ -1,5 +1,5 @@
 # Libraries that read formats of large volumes. Without them the module is built, and says that it
-# cannot read these.
+# cannot read these. Tests and the generator of volumes include this, too.
 find_package(nlohmann_json QUIET)
 find_package(ZLIB QUIET)
 find_path(TEMPORAL_COHERENCE_BLOSC_INCLUDE_DIR blosc.h)
@@ -44,7 +44,6 @@ if (nlohmann_json_FOUND AND ZLIB_FOUND AND TEMPORAL_COHERENCE_BLOSC_LIBRARY AND
     "${TEMPORAL_COHERENCE_BLOSC_INCLUDE_DIR}" "${TEMPORAL_COHERENCE_ZSTD_INCLUDE_DIR}")
 else ()
   set(TEMPORAL_COHERENCE_HAS_ZARR OFF)
-  message(STATUS "Zarr volumes cannot be read: nlohmann_json, zlib, c-blosc or zstd is missing.")
 endif ()
 if (HDF5_FOUND AND ZLIB_FOUND)
   set(TEMPORAL_COHERENCE_HAS_HDF5 ON)
@@ -56,7 +55,6 @@ if (HDF5_FOUND AND ZLIB_FOUND)
   list(APPEND volume_format_includes ${HDF5_C_INCLUDE_DIRS})
 else ()
   set(TEMPORAL_COHERENCE_HAS_HDF5 OFF)
-  message(STATUS "HDF5 volumes cannot be read: libhdf5 or zlib is missing.")
 endif ()
 list(REMOVE_DUPLICATES volume_format_libraries)
 list(TRANSFORM volume_format_files PREPEND "${CMAKE_CURRENT_LIST_DIR}/Vtk/VolumeFiles/")

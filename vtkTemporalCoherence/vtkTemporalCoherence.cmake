@@ -3,6 +3,12 @@ set(module_directory "${CMAKE_CURRENT_LIST_DIR}")
 find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
 include("${CMAKE_CURRENT_LIST_DIR}/VolumeFormats.cmake")
+if (NOT TEMPORAL_COHERENCE_HAS_ZARR)
+  message(STATUS "Zarr volumes cannot be read: nlohmann_json, zlib, c-blosc or zstd is missing.")
+endif ()
+if (NOT TEMPORAL_COHERENCE_HAS_HDF5)
+  message(STATUS "HDF5 volumes cannot be read: libhdf5 or zlib is missing.")
+endif ()
 
 set(engine_files
   Bricks/BrickCache
@@ -376,7 +382,9 @@ vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:glm::glm> $<BUI
 foreach (library IN LISTS volume_format_libraries)
   vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:${library}>)
 endforeach ()
-vtk_module_definitions(VTK::TemporalCoherence PRIVATE ${volume_format_definitions})
+if (volume_format_definitions)
+  vtk_module_definitions(VTK::TemporalCoherence PRIVATE ${volume_format_definitions})
+endif ()
 # Only classes of VTK are for users of the library, whatever a build exports by default.
 vtk_module_set_properties(VTK::TemporalCoherence
   CXX_VISIBILITY_PRESET hidden

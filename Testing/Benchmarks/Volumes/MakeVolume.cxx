@@ -30,18 +30,25 @@ constexpr Format Formats[] = {
   { "raw", "a file of plain samples", WriteRaw },
   { "mhd", "a MetaImage: FILE.mhd, and FILE.raw beside it", WriteMetaImage },
   { "tiff", "a folder of one file for each slice; codecs none, lzw, deflate, zstd", WriteTiff },
+#ifdef TEMPORAL_COHERENCE_HAS_ZARR
+  { "zarr", "a folder of OME-Zarr; codecs blosc-lz4, blosc-zstd, zstd, gzip, none", WriteZarr },
+#endif
+#ifdef TEMPORAL_COHERENCE_HAS_HDF5
+  { "imaris", "an HDF5 file as of Imaris; codecs gzip, none", WriteImaris },
+#endif
 };
 
 void PrintHelp()
 {
-  std::cout << "temporal-coherence-make-volume FORMAT FILE NX NY NZ [TYPE] [CODEC]\n\n"
+  std::cout << "MakeVolume FORMAT FILE NX NY NZ [TYPE] [CODEC]\n\n"
                "Writes a volume by formula: a turbulent layer between two gases, which looks the "
                "same in every size.\n\n";
   for (const Format& format : Formats)
   {
     std::cout << "  " << format.Name << ": " << format.Meaning << '\n';
   }
-  std::cout << "\nTYPE: uint8 (values 0 to 255), uint16 (0 to 65535), float32 (0 to 255)\n";
+  std::cout << "\nTYPE: uint8 (values 0 to 255), uint16 (0 to 65535), float32 (0 to 255)\n"
+               "CODEC: the first one of a format is its default\n";
 }
 
 bool ReadType(const std::string& name, ScalarType& type)

@@ -102,12 +102,18 @@ void MixingLayer::Row(int y, int z, float* values) const
 
 void MixingLayer::Slices(int first, int count, ScalarType type, void* samples) const
 {
+  this->Rows({ 0, first }, { this->Size.y, count }, type, samples);
+}
+
+void MixingLayer::Rows(
+  const glm::ivec2& first, const glm::ivec2& count, ScalarType type, void* samples) const
+{
   const auto row = static_cast<std::size_t>(this->Size.x);
   std::vector<float> values(row);
   std::size_t at = 0;
-  for (int z = first; z < first + count; ++z)
+  for (int z = first.y; z < first.y + count.y; ++z)
   {
-    for (int y = 0; y < this->Size.y; ++y, at += row)
+    for (int y = first.x; y < first.x + count.x; ++y, at += row)
     {
       if (type == ScalarType::Float32)
       {
@@ -140,4 +146,16 @@ glm::ivec3 SizeOfLevel(const glm::ivec3& dimensions, int level)
     size = (size + 1) / 2;
   }
   return size;
+}
+
+int NumberOfLevels(const glm::ivec3& dimensions)
+{
+  constexpr int longest = 128;
+  int levels = 1;
+  for (glm::ivec3 size = dimensions; glm::any(glm::greaterThan(size, glm::ivec3(longest)));
+       size = SizeOfLevel(size, 1))
+  {
+    ++levels;
+  }
+  return levels;
 }

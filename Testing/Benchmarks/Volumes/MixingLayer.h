@@ -34,6 +34,11 @@ public:
   /// \param samples room for them
   void Slices(int first, int count, TemporalCoherence::ScalarType type, void* samples) const;
 
+  /// The samples of some rows, as of Slices(): those from y = first.x and z = first.y. Thread-safe.
+  /// \param count rows along y and z
+  void Rows(const glm::ivec2& first, const glm::ivec2& count, TemporalCoherence::ScalarType type,
+    void* samples) const;
+
 private:
   glm::ivec3 Size;
   WaveField Large; ///< bubbles and spikes
@@ -47,5 +52,8 @@ bool IsTypeOfMixingLayer(TemporalCoherence::ScalarType type);
 /// the level.
 /// \param level 0: the volume itself
 glm::ivec3 SizeOfLevel(const glm::ivec3& dimensions, int level);
+
+/// The levels of a pyramid. The last one has at most 128 samples along its longest axis.
+int NumberOfLevels(const glm::ivec3& dimensions);
 
 #endif

@@ -3,7 +3,7 @@
 #include "Slabs.h"
 #include "VolumeWriters.h"
 
-#include <tiffio.h>
+#include <vtk_tiff.h>
 
 #include <algorithm>
 #include <cstdint>

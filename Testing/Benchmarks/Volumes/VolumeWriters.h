@@ -10,7 +10,7 @@
 #include <string>
 
 /// \file
-/// Functions that write MixingLayer in the formats of volumes, slab by slab.
+/// Functions that write MixingLayer in the formats of volumes, slab by slab or chunk by chunk.
 
 /// A volume to be written.
 struct VolumeOrder
@@ -19,6 +19,7 @@ struct VolumeOrder
   glm::ivec3 Dimensions{ 0 };
   TemporalCoherence::ScalarType Type = TemporalCoherence::ScalarType::UInt8;
   std::string Codec; ///< the compression; empty: the format's default
+  int Chunk = 64;    ///< samples of a chunk along each axis, for formats with chunks
 };
 
 /// Write plain samples in this machine's byte order.
@@ -32,5 +33,12 @@ bool WriteMetaImage(const VolumeOrder& order, std::string& error);
 /// Write a folder of TIFF files, one for each slice, the row y = 0 first: slice00000.tif and so on.
 /// Codecs: none, lzw, deflate, zstd.
 bool WriteTiff(const VolumeOrder& order, std::string& error);
+
+/// Write a folder of OME-Zarr 0.4 (Zarr version 2), with all levels of a pyramid. The folder must
+/// not exist, or be empty. Codecs: none, blosc-lz4 (the default), blosc-zstd, zstd, gzip.
+bool WriteZarr(const VolumeOrder& order, std::string& error);
+
+/// Write a file of Imaris (.ims), with all levels of a pyramid. Codecs: none, gzip (the default).
+bool WriteImaris(const VolumeOrder& order, std::string& error);
 
 #endif

@@ -3,6 +3,7 @@
 #include "VolumeFiles/Hdf5Writer.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 
 using namespace TemporalCoherence;
@@ -92,15 +93,15 @@ Hdf5Writer::Hdf5Writer(const std::string& path, const Hdf5Plan& plan)
   , File(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT))
 {
   this->Good = this->File >= 0;
-  for (std::size_t level = 0; level < plan.Dimensions.size(); ++level)
+  for (std::size_t level = 0; this->Good && level < plan.Dimensions.size(); ++level)
   {
     this->AddLevel(level);
   }
-  if (plan.Layout == Hdf5Layout::Imaris)
+  if (this->Good && plan.Layout == Hdf5Layout::Imaris)
   {
     this->AddImarisBox();
   }
-  if (plan.Layout == Hdf5Layout::BigDataViewer)
+  if (this->Good && plan.Layout == Hdf5Layout::BigDataViewer)
   {
     this->AddFactors();
   }
@@ -108,11 +109,22 @@ Hdf5Writer::Hdf5Writer(const std::string& path, const Hdf5Plan& plan)
 
 Hdf5Writer::~Hdf5Writer()
 {
+  this->Close();
+}
+
+bool Hdf5Writer::Close()
+{
   for (const hid_t data : this->Data)
   {
-    H5Dclose(data);
+    this->Good = H5Dclose(data) >= 0 && this->Good;
   }
-  H5Fclose(this->File);
+  this->Data.clear();
+  if (this->File >= 0)
+  {
+    this->Good = H5Fclose(this->File) >= 0 && this->Good;
+    this->File = -1;
+  }
+  return this->Good;
 }
 
 std::string Hdf5Writer::DataName(const Hdf5Plan& plan, std::size_t level)
@@ -235,6 +247,18 @@ bool Hdf5Writer::WriteChunk(std::size_t level, const glm::ivec3& chunk, const vo
   const bool isWritten = H5Dwrite(this->Data[level], type, from, to, H5P_DEFAULT, samples) >= 0;
   H5Sclose(from);
   H5Sclose(to);
+  this->Good = this->Good && isWritten;
+  return isWritten;
+}
+
+bool Hdf5Writer::WriteStoredChunk(
+  std::size_t level, const glm::ivec3& chunk, const void* bytes, std::size_t size)
+{
+  hsize_t first[3];
+  ToHdf5(chunk * this->Plan.Chunk, first);
+  constexpr std::uint32_t allFilters = 0; // no filter is left out
+  const bool isWritten =
+    H5Dwrite_chunk(this->Data[level], H5P_DEFAULT, allFilters, first, size, bytes) >= 0;
   this->Good = this->Good && isWritten;
   return isWritten;
 }

@@ -50,6 +50,15 @@ public:
   /// \return false if the chunk cannot be written
   bool WriteChunk(std::size_t level, const glm::ivec3& chunk, const void* samples);
 
+  /// Write a chunk that is compressed already, as the plan says.
+  /// \param bytes those of the file
+  bool WriteStoredChunk(
+    std::size_t level, const glm::ivec3& chunk, const void* bytes, std::size_t size);
+
+  /// Write all that is not yet in the file, and close it.
+  /// \return false if something could not be written
+  bool Close();
+
   /// False if something could not be written.
   bool IsGood() const { return this->Good; }
 

@@ -135,6 +135,8 @@ bool WriteBytes(const fs::path& path, const char* bytes, std::size_t size)
 {
   std::error_code code;
   fs::create_directories(path.parent_path(), code);
+  // Some file systems write a replaced file to the disk at once, which takes long.
+  fs::remove(path, code);
   std::ofstream file(path, std::ios::binary);
   file.write(bytes, static_cast<std::streamsize>(size));
   file.close();

@@ -19,10 +19,12 @@ namespace ReadBack
 
 using namespace TemporalCoherence;
 
-/// A folder for the files of a test, emptied at the begin.
+/// A folder for the files of the running test, emptied at the begin. Tests may run at once.
 inline std::string Folder(const std::string& name)
 {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / name;
+  const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const std::filesystem::path folder =
+    std::filesystem::temp_directory_path() / (name + '-' + test->name());
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder.string() + '/';

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Volumes whose files become shorter or vanish while they are open do not end the program: their
+// samples read as zero, and a sentence tells so. Faults and signals of others do what they did.
+
 #include "RawFiles.h"
 
 #include "VolumeFiles/MappedFile.h"
@@ -15,8 +19,6 @@
 #include <unistd.h>
 
 using namespace TemporalCoherence;
-
-// What happens to volumes whose files change while they are open.
 
 namespace
 {

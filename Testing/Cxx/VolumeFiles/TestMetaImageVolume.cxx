@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// MetaImages are read as VTK wrote them, and in the variants of their headers. Mistakes become
+// sentences, and headers do not lead out of their folder.
+
 #include "HeaderFiles.h"
 
 #include "VolumeFiles/MetaImageVolume.h"

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// The volume by formula that stands for large simulations: it looks the same in every size, type
+// and part, and plain formats that MakeVolume writes are read back equal.
+
 #include "MixingLayer.h"
 #include "RawFiles.h"
 #include "VolumeFiles/MetaImageVolume.h"
 #include "VolumeWriters.h"
 
-#include <tiffio.h>
+#include <vtk_tiff.h>
 
 #include <cmath>
 

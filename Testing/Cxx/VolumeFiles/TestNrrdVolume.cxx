@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// NRRD files, with samples inside or beside them, are read in all types and variants. Mistakes
+// become sentences.
+
 #include "HeaderFiles.h"
 
 #include "VolumeFiles/NrrdVolume.h"

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Plain samples are read in all types, byte orders and offsets, mapped and chunk by chunk, from any
+// thread. Mistakes become sentences.
+
 #include "RawFiles.h"
 
 #include <limits>

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Raw appended XML images (.vti) are read as VTK wrote them; for other encodings the sentence names
+// another reader. Mistakes become sentences.
+
 #include "HeaderFiles.h"
 
 #include "VolumeFiles/VtiVolume.h"

@@ -6,9 +6,9 @@
 
 #include "Checks/ProcessMemory.h"
 #include "Checks/Sanitized.h"
+#include "Mutations.h"
 #include "ZarrTesting.h"
 
-#include <cstdlib>
 #include <iostream>
 
 namespace
@@ -17,12 +17,7 @@ namespace
 using namespace TemporalCoherence;
 namespace fs = std::filesystem;
 
-/// The numbers of repetitions can be raised for long runs.
-int Repetitions()
-{
-  const char* text = std::getenv("ZARR_MUTATIONS");
-  return text ? std::atoi(text) : 500;
-}
+constexpr int UsualMutations = 200; // of each file and compressor
 
 /// Change one digit or, in bytes, one byte. The text mostly stays valid JSON.
 std::string GentlyMutated(std::string text, std::mt19937& random)
@@ -118,7 +113,7 @@ void TestMutations(
     const fs::path path = folder.Path() / name;
     const std::string good = ReadText(path);
     ASSERT_FALSE(good.empty()) << path;
-    for (int i = 0; i < Repetitions(); ++i)
+    for (int i = 0; i < NumberOfMutations(UsualMutations); ++i)
     {
       ASSERT_TRUE(WriteZarrFile(path, i % 2 ? Mutated(good, random) : GentlyMutated(good, random)));
       std::string error;

@@ -22,9 +22,9 @@ namespace TemporalCoherence
 /// The samples of a volume, in bricks that are read when they are needed, and dropped when memory
 /// is short: the least recently used ones first.
 ///
-/// A brick owns 32^3 cells. Gradients also need neighbouring samples: one layer before the cells, two
-/// layers behind them. The brick holds these, too. So code that has the address of a cell's first sample finds all
-/// samples that the cell needs at constant strides, whichever brick it is in.
+/// A brick owns 32^3 cells. Gradients also need neighbours: a layer of samples before the cells,
+/// and two layers behind. The brick holds these, too. So code with the address of a cell's first
+/// sample finds all samples that the cell needs at constant strides.
 class BrickCache
 {
 public:

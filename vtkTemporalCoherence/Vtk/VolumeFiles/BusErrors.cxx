@@ -85,7 +85,7 @@ bool Repair(std::uintptr_t address)
   return false;
 }
 
-/// Do what the program would have done without our handler.
+/// Call the handler that the program had before ours, or act as the system does by default.
 void CallPrevious(int signal, siginfo_t* about, void* context)
 {
   const bool isFault = about->si_code > 0;

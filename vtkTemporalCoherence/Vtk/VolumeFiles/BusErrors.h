@@ -11,8 +11,7 @@ namespace TemporalCoherence
 /// A range of addresses that is guarded against bus errors. Reading a mapped file raises the signal
 /// SIGBUS if the file became shorter or its disk fails, which ends the program by default. The
 /// first guard installs a handler. A fault in a guarded range marks the range as broken, and the
-/// range reads as zero from the fault's page to its end. Other faults go to the handler that was
-/// there before.
+/// range reads as zero from the fault's page to its end. The earlier handler gets other faults.
 ///
 /// The system itself does not raise the signal: write() from a broken range fails with EFAULT.
 class GuardedRange

@@ -21,14 +21,14 @@ struct Hdf5Filters
   Hdf5Filters Without(std::uint32_t skipped) const;
 };
 
-/// A chunk as it is stored in the file.
+/// A chunk in the bytes of the file, mostly compressed.
 struct StoredChunk
 {
   std::vector<unsigned char> Bytes;
   Hdf5Filters Filters;
 };
 
-/// The most bytes that a chunk can have in a sound file.
+/// An upper bound of the stored size of a chunk. Damaged files may tell more.
 std::size_t MostStoredBytes(std::size_t chunkBytes);
 
 /// Undo the filters of a chunk. Needs no Hdf5Turn.

@@ -124,7 +124,7 @@ bool Hdf5DataSet::FindStorage(std::string& error)
   return this->FindFilters(properties.Get(), error);
 }
 
-/// Check that samples without chunks are as many as they should be. HDF5 1.10 reads beyond the end
+/// Check the number of stored bytes of a data set without chunks. HDF5 1.10 reads beyond the end
 /// of samples that are stored among the metadata.
 bool Hdf5DataSet::CheckStoredBytes(H5D_layout_t layout, std::string& error) const
 {

@@ -26,7 +26,7 @@ public:
 
   const glm::ivec3& Dimensions() const { return this->Size; }
 
-  /// The chunks of the file, or slabs if the file has none.
+  /// Chunks of the file. Data sets without chunks are read in slabs.
   const glm::ivec3& Chunk() const { return this->ChunkSize; }
 
   ScalarType Type() const { return this->SampleType; }

@@ -19,11 +19,11 @@ namespace TemporalCoherence
 /// bits, or floating-point numbers of 16 (read as 32), 32 and 64 bits, in either byte order.
 /// Volumes that lead to other files are refused.
 ///
-/// Other users of HDF5 in the process, such as vtkHDFReader, do not wait for these threads. They
-/// may run at the same time only if the library was built to be thread-safe.
+/// Other users of HDF5 in the process, such as vtkHDFReader, do not wait for these threads. Only a
+/// thread-safe build of HDF5 serves both at the same time.
 ///
 /// \param choice a channel and a time point of Imaris; a setup and a time point of BigDataViewer;
-///               or, with the name of a data set, that one of any file
+///               or the name of a data set, in any file
 /// \param error  receives what is wrong, in one sentence
 /// \return null if the file or the choice cannot be read
 /// \throws std::bad_alloc

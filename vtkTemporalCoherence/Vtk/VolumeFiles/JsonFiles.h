@@ -42,7 +42,7 @@ private:
 /// \return null if the value is not an object, or has no such member
 const Json& MemberOf(const Json& value, const char* name);
 
-/// The text of a member, or an empty text if there is none.
+/// The text of a member; empty if the member is missing or no text.
 std::string TextOf(const Json& value, const char* name);
 
 }

@@ -17,7 +17,7 @@ namespace
 
 const char* const OtherReader = "use vtkMetaImageReader as a reader";
 
-/// The lines up to ElementDataFile, which is the last one.
+/// The lines of a header. ElementDataFile ends it.
 struct MetaHeader
 {
   std::map<std::string, std::string> Values;

@@ -11,8 +11,8 @@
 namespace TemporalCoherence
 {
 
-/// A file that several threads read at any place. It stays open, so that it can be read even if it
-/// is renamed or deleted.
+/// A file that several threads read at any place. It stays open, so that renamed and deleted files
+/// can be read, too.
 class RandomAccessFile
 {
 public:

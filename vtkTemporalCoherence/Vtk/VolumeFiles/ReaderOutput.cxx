@@ -25,7 +25,7 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// The array of samples; null, with an error, without such an array.
+/// The array of samples; null with a sentence if the image lacks it.
 vtkDataArray* FindArray(vtkAlgorithm* reader, const std::string& name, std::string& error)
 {
   auto* const image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
@@ -139,7 +139,7 @@ bool ReadPart(vtkAlgorithm* reader, ReaderErrors& errors, const Extent& asked,
   }
   if (reader->IsA("vtkTIFFReader"))
   {
-    // This reader reads page 1 for all slices unless it has just read the information.
+    // This reader repeats the first page unless it reads the information before each page.
     reader->Modified();
   }
   const bool isDone = reader->UpdateExtent(asked.Ends.data()) != 0;

@@ -15,7 +15,7 @@
 namespace TemporalCoherence
 {
 
-/// A header, or a file that begins with one.
+/// The text of a header. Samples may follow it in the same file.
 struct HeaderText
 {
   std::string Path;

@@ -69,7 +69,7 @@ bool ParseNumbers(const Json& list, std::size_t count, std::vector<double>& numb
   return list.is_array() && numbers.size() == count;
 }
 
-/// Apply a scale or a translation after those that the level already has.
+/// Apply a scale or a translation after the level's earlier transformations.
 bool ApplyTransformation(const Json& transformation, ZarrImageLevel& level)
 {
   const std::string type = TextOf(transformation, "type");

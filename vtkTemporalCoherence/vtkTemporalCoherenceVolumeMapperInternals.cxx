@@ -142,7 +142,10 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
   options.Fewer = fewer;
   options.Reading = this->ChooseReading(request, window);
   bool isMade = false;
-  const std::uint64_t begin = TemporalCoherence::SampleUse::Now();
+  for (const auto& read : request.Volumes)
+  {
+    read->BeginFrame();
+  }
   {
     const Busy busy(*this);
     isMade = this->Frames.Render(
@@ -162,8 +165,8 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
   for (const auto& read : request.Volumes)
   {
     error = error.empty() ? read->TakeMistake() : error;
-    read->Follow(
-      request.Key.IsBlended() ? std::vector<double>() : request.Key.Isosurfaces().Isovalues, begin);
+    read->EndFrame(
+      request.Key.IsBlended() ? std::vector<double>() : request.Key.Isosurfaces().Isovalues);
   }
   this->ReportOnce(error);
   return isMade;

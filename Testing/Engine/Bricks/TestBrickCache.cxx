@@ -343,17 +343,22 @@ TEST(BrickCacheTest, ReadsAheadWithoutDroppingTheLastFrame)
   samples.FillRandomly(0.0, 255.0, 1);
   const Field field = InBricks<std::uint8_t>(samples.Field, 3);
   const TypedField<std::uint8_t> typed(field);
-  const std::uint64_t before = SampleUse::Now();
+  field.Bricks->BeginFrame();
   for (int brick = 0; brick < 2; ++brick)
   {
     const SampleUse use;
     typed.At(32 * brick, 0, 0);
   }
   EXPECT_EQ(field.Bricks->TakeAwaited(), (std::vector<std::int64_t>{ 0, 1 }));
-  EXPECT_TRUE(field.Bricks->ReadAhead(2, before));
+  EXPECT_TRUE(field.Bricks->ReadAhead(2));
   EXPECT_TRUE(field.Bricks->Has(2));
-  EXPECT_FALSE(field.Bricks->ReadAhead(3, before))
-    << "no room without dropping one of the last frame";
+  EXPECT_TRUE(field.Bricks->ReadAhead(3)) << "what was only read ahead may go";
+  EXPECT_FALSE(field.Bricks->Has(2));
+  {
+    const SampleUse use;
+    typed.At(96, 0, 0);
+  }
+  EXPECT_FALSE(field.Bricks->ReadAhead(4)) << "all bricks are of the last frame";
   EXPECT_TRUE(field.Bricks->TakeAwaited().empty());
   EXPECT_EQ(field.Bricks->Around(1), (std::vector<std::int64_t>{ 0, 1, 2 }));
 }

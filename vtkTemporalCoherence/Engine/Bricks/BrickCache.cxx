@@ -48,9 +48,15 @@ void BrickCache::SetLimit(std::size_t bytes) const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->MostRooms = bytes / this->BytesOfBrick;
+  while (this->Rooms > this->MostRooms && !this->Free.empty())
+  {
+    delete[] this->Free.back();
+    this->Free.pop_back();
+    --this->Rooms;
+  }
   if (this->Rooms > this->MostRooms)
   {
-    this->DropBefore(SampleUse::Oldest());
+    this->Drop(false);
   }
 }
 
@@ -83,7 +89,7 @@ const std::byte* BrickCache::Await(std::int64_t brick) const
     }
     this->HasRead.wait(lock);
   }
-  std::byte* room = this->MakeRoom(SampleUse::Oldest());
+  std::byte* room = this->MakeRoom(false);
   if (!room)
   {
     room = new std::byte[this->BytesOfBrick]; // a tile needs more than the limit
@@ -93,11 +99,11 @@ const std::byte* BrickCache::Await(std::int64_t brick) const
   {
     this->Awaited.push_back(brick);
   }
-  this->ReadInto(brick, room, SampleUse::Now(), lock);
+  this->ReadInto(brick, room, lock);
   return room;
 }
 
-bool BrickCache::ReadAhead(std::int64_t brick, std::uint64_t since) const
+bool BrickCache::ReadAhead(std::int64_t brick) const
 {
   Entry& entry = this->Entries[static_cast<std::size_t>(brick)];
   std::unique_lock<std::mutex> lock(this->Guard);
@@ -106,18 +112,19 @@ bool BrickCache::ReadAhead(std::int64_t brick, std::uint64_t since) const
   {
     return true;
   }
-  std::byte* const room = this->MakeRoom(std::min(since, SampleUse::Oldest()));
+  std::byte* const room = this->MakeRoom(true);
   if (!room)
   {
     return false;
   }
-  this->ReadInto(brick, room, since, lock);
+  entry.LastUse.store(this->FrameBegin.load() - 1);
+  this->ReadInto(brick, room, lock);
   return true;
 }
 
 /// Room for a brick within the limit; null if there is none.
-/// \param before bricks used before this time may be dropped
-std::byte* BrickCache::MakeRoom(std::uint64_t before) const
+/// \param keepsFrame bricks of the last frame are not dropped
+std::byte* BrickCache::MakeRoom(bool keepsFrame) const
 {
   if (this->Free.empty() && this->Rooms < this->MostRooms)
   {
@@ -126,7 +133,7 @@ std::byte* BrickCache::MakeRoom(std::uint64_t before) const
   }
   if (this->Free.empty())
   {
-    this->DropBefore(before);
+    this->Drop(keepsFrame);
   }
   if (this->Free.empty())
   {
@@ -137,57 +144,71 @@ std::byte* BrickCache::MakeRoom(std::uint64_t before) const
   return room;
 }
 
-/// Drop some of the bricks that were not used at a time or later, the oldest first.
-void BrickCache::DropBefore(std::uint64_t time) const
+/// Drop some of the bricks that no thread uses, the least recently used ones first.
+/// \param keepsFrame bricks of the last frame are not dropped
+void BrickCache::Drop(bool keepsFrame) const
 {
-  const auto stampOf = [this](std::int64_t brick)
-  { return this->Entries[static_cast<std::size_t>(brick)].Stamp.load(); };
+  const auto entryOf = [this](std::int64_t brick) -> Entry&
+  { return this->Entries[static_cast<std::size_t>(brick)]; };
+  const auto bricksInUse = [this]()
+  {
+    std::vector<std::int64_t> bricks = SampleUse::HeldOf(this);
+    std::sort(bricks.begin(), bricks.end());
+    return bricks;
+  };
+  const auto isIn = [](const std::vector<std::int64_t>& bricks, std::int64_t brick)
+  { return std::binary_search(bricks.begin(), bricks.end(), brick); };
+
+  const std::vector<std::int64_t> before = bricksInUse();
   std::vector<std::pair<std::uint64_t, std::int64_t>> old;
   for (const std::int64_t brick : this->Held)
   {
-    if (stampOf(brick) < time)
+    const std::uint64_t lastUse = entryOf(brick).LastUse.load();
+    if (!isIn(before, brick) && !(keepsFrame && lastUse >= this->FrameBegin.load()))
     {
-      old.emplace_back(stampOf(brick), brick);
+      old.emplace_back(lastUse, brick);
     }
   }
   const std::size_t excess = this->Rooms > this->MostRooms ? this->Rooms - this->MostRooms : 0;
   const std::size_t count = std::min(old.size(), excess + this->Held.size() / ShareToDrop + 1);
   std::partial_sort(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(count), old.end());
-  std::vector<std::int64_t> dropped;
+  old.resize(count);
+
+  // Take the addresses away. Threads that came in between have listed their bricks: give these
+  // back.
+  std::vector<std::byte*> rooms;
+  for (const auto& each : old)
+  {
+    rooms.push_back(entryOf(each.second).Samples.exchange(nullptr));
+  }
+  const std::vector<std::int64_t> now = bricksInUse();
   for (std::size_t i = 0; i < count; ++i)
   {
-    Entry& entry = this->Entries[static_cast<std::size_t>(old[i].second)];
-    std::byte* const samples = entry.Samples.exchange(nullptr);
-    if (entry.Stamp.load() >= time)
+    if (isIn(now, old[i].second))
     {
-      entry.Samples.store(samples); // a reader came in between
-      continue;
+      entryOf(old[i].second).Samples.store(rooms[i]);
     }
-    dropped.push_back(old[i].second);
-    if (this->Rooms > this->MostRooms)
+    else if (this->Rooms > this->MostRooms)
     {
-      delete[] samples;
+      delete[] rooms[i];
       --this->Rooms;
     }
     else
     {
-      this->Free.push_back(samples);
+      this->Free.push_back(rooms[i]);
     }
   }
-  std::sort(dropped.begin(), dropped.end());
   this->Held.erase(std::remove_if(this->Held.begin(), this->Held.end(),
-                     [&](std::int64_t brick)
-                     { return std::binary_search(dropped.begin(), dropped.end(), brick); }),
+                     [&](std::int64_t brick) { return !entryOf(brick).Samples.load(); }),
     this->Held.end());
 }
 
 /// Read a brick, and let others find it.
 /// \param room  for the brick
-/// \param stamp time of its last use
 /// \param lock  of Guard; others may take it while the brick is read
 /// \throws std::bad_alloc; the brick is not there then
-void BrickCache::ReadInto(std::int64_t brick, std::byte* room, std::uint64_t stamp,
-  std::unique_lock<std::mutex>& lock) const
+void BrickCache::ReadInto(
+  std::int64_t brick, std::byte* room, std::unique_lock<std::mutex>& lock) const
 {
   const glm::ivec3 begin = this->FirstCellOf(brick) - Before;
   const glm::ivec3 first = glm::max(begin, glm::ivec3(0));
@@ -215,10 +236,9 @@ void BrickCache::ReadInto(std::int64_t brick, std::byte* room, std::uint64_t sta
     throw std::bad_alloc();
   }
   ++this->Reads;
+  ++this->Clock;
   this->Held.push_back(brick);
-  Entry& entry = this->Entries[static_cast<std::size_t>(brick)];
-  entry.Stamp.store(std::max(stamp, entry.Stamp.load()));
-  entry.Samples.store(room);
+  this->Entries[static_cast<std::size_t>(brick)].Samples.store(room);
 }
 
 std::vector<std::int64_t> BrickCache::TakeAwaited() const

@@ -63,10 +63,12 @@ public:
   void GiveUpAt(std::int64_t time) const { this->Deadline.store(time); }
   static constexpr std::int64_t Patient = -1;
 
-  /// Read a missing brick, unless that would drop a brick that was used at time `since` or
-  /// later.
+  /// A frame begins: bricks that are used from here on are those of the last frame.
+  void BeginFrame() const { this->FrameBegin = ++this->Clock; }
+
+  /// Read a missing brick, unless that would drop a brick of the last frame.
   /// \return false if memory is short
-  bool ReadAhead(std::int64_t brick, std::uint64_t since) const;
+  bool ReadAhead(std::int64_t brick) const;
 
   /// The bricks that were read, and whose reading somebody waited for, since the last call.
   std::vector<std::int64_t> TakeAwaited() const;
@@ -108,20 +110,21 @@ private:
     return { brick, inside };
   }
 
-  /// A place for a brick. Readers stamp it before they take the address. Who drops a brick takes
-  /// the address away, and looks at the stamp again.
+  /// A place for a brick. Threads list the brick (SampleUse) before they read the address.
   struct Entry
   {
     std::atomic<std::byte*> Samples{ nullptr };
-    std::atomic<std::uint64_t> Stamp{ 0 }; ///< time of SampleUse at the last use
+    std::atomic<std::uint64_t> LastUse{ 0 }; ///< by Clock
   };
 
   const std::byte* Find(std::int64_t brick) const
   {
+    SampleUse::Hold(this, brick);
     Entry& entry = this->Entries[static_cast<std::size_t>(brick)];
-    if (entry.Stamp.load(std::memory_order_relaxed) < SampleUse::Begin())
+    const std::uint64_t now = this->Clock.load(std::memory_order_relaxed);
+    if (entry.LastUse.load(std::memory_order_relaxed) != now)
     {
-      entry.Stamp.store(SampleUse::Now());
+      entry.LastUse.store(now, std::memory_order_relaxed);
     }
     const std::byte* const samples = entry.Samples.load();
     return samples ? samples : this->Await(brick);
@@ -129,10 +132,9 @@ private:
 
   bool IsTooLate() const;
   const std::byte* Await(std::int64_t brick) const;
-  std::byte* MakeRoom(std::uint64_t before) const;
-  void DropBefore(std::uint64_t time) const;
-  void ReadInto(std::int64_t brick, std::byte* room, std::uint64_t stamp,
-    std::unique_lock<std::mutex>& lock) const;
+  std::byte* MakeRoom(bool keepsFrame) const;
+  void Drop(bool keepsFrame) const;
+  void ReadInto(std::int64_t brick, std::byte* room, std::unique_lock<std::mutex>& lock) const;
 
   glm::ivec3 Dimensions, Grid;
   std::size_t BytesOfBrick;
@@ -142,6 +144,8 @@ private:
   std::vector<std::byte> Blank; ///< given where samples are missing
   mutable std::atomic<std::int64_t> Deadline{ Patient };
   mutable std::atomic<std::int64_t> Reads{ 0 };
+  mutable std::atomic<std::uint64_t> Clock{ 1 }; ///< goes on with each brick that is read
+  mutable std::atomic<std::uint64_t> FrameBegin{ 1 };
 
   /// Guards what follows.
   mutable std::mutex Guard;

@@ -2,16 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bricks/SampleUse.h"
 
-#include <algorithm>
-
 namespace TemporalCoherence
 {
-namespace
-{
-
-std::atomic<std::uint64_t> Clock{ 1 };
-
-}
 
 std::atomic<SampleUse::Thread*> SampleUse::Threads{ nullptr };
 
@@ -38,9 +30,8 @@ struct SampleUse::Holder
   }
   ~Holder()
   {
-    this->Entry->Time.store(Nothing);
+    Forget(*this->Entry);
     this->Entry->Depth = 0;
-    this->Entry->HasMissed = false;
     this->Entry->IsTaken.store(false);
   }
   Holder(const Holder&) = delete;
@@ -55,11 +46,22 @@ SampleUse::Thread& SampleUse::Own()
   return *holder.Entry;
 }
 
-std::uint64_t SampleUse::BeginHere()
+void SampleUse::List(Thread& own, const void* cache, std::int64_t brick)
 {
-  const std::uint64_t time = ++Clock;
-  Own().Time.store(time);
-  return time;
+  const std::lock_guard<std::mutex> lock(own.Guard);
+  own.Listed.emplace_back(cache, brick);
+}
+
+/// End a stretch.
+void SampleUse::Forget(Thread& own)
+{
+  own.HasMissed = false;
+  if (!own.Listed.empty())
+  {
+    ++own.Stretch;
+    const std::lock_guard<std::mutex> lock(own.Guard);
+    own.Listed.clear();
+  }
 }
 
 SampleUse::SampleUse()
@@ -67,8 +69,7 @@ SampleUse::SampleUse()
   Thread& own = Own();
   if (own.Depth++ == 0)
   {
-    own.HasMissed = false;
-    BeginHere();
+    Forget(own);
   }
 }
 
@@ -77,7 +78,7 @@ SampleUse::~SampleUse()
   Thread& own = Own();
   if (--own.Depth == 0)
   {
-    own.Time.store(Nothing);
+    Forget(own);
   }
 }
 
@@ -86,8 +87,7 @@ void SampleUse::Renew()
   Thread& own = Own();
   if (own.Depth == 1)
   {
-    own.HasMissed = false;
-    BeginHere();
+    Forget(own);
   }
 }
 
@@ -96,24 +96,25 @@ void SampleUse::End()
   Thread& own = Own();
   if (own.Depth == 0)
   {
-    own.Time.store(Nothing);
+    Forget(own);
   }
 }
 
-std::uint64_t SampleUse::Now()
+std::vector<std::int64_t> SampleUse::HeldOf(const void* cache)
 {
-  return Clock.load();
-}
-
-std::uint64_t SampleUse::Oldest()
-{
-  // Stretches that begin after this line get later times.
-  std::uint64_t oldest = Clock.load();
-  for (const Thread* entry = Threads.load(); entry; entry = entry->Next)
+  std::vector<std::int64_t> held;
+  for (Thread* entry = Threads.load(); entry; entry = entry->Next)
   {
-    oldest = std::min(oldest, entry->Time.load());
+    const std::lock_guard<std::mutex> lock(entry->Guard);
+    for (const auto& [of, brick] : entry->Listed)
+    {
+      if (of == cache)
+      {
+        held.push_back(brick);
+      }
+    }
   }
-  return oldest;
+  return held;
 }
 
 }

@@ -3,8 +3,13 @@
 #ifndef TemporalCoherence_SampleUse_h
 #define TemporalCoherence_SampleUse_h
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -12,9 +17,8 @@ namespace TemporalCoherence
 /// A stretch of work of one thread, such as a tile. In it, addresses of samples that a BrickCache
 /// gives to this thread stay valid. One inside of another one on the same thread changes nothing.
 ///
-/// A clock counts the stretches of all threads. Bricks are stamped with it when they are used, so a
-/// brick with a stamp before the oldest stretch is needed by nobody (epoch-based reclamation:
-/// Fraser 2004).
+/// A thread lists the bricks that it uses before it reads their addresses. Whoever drops a brick
+/// takes the address away first, and then looks into all lists (hazard pointers: Michael 2004).
 class SampleUse
 {
 public:
@@ -27,22 +31,25 @@ public:
   /// One inside of another goes on.
   static void Renew();
 
-  /// End a stretch that began outside of any SampleUse.
+  /// End the use of bricks that this thread read outside of any SampleUse.
   static void End();
 
-  /// The time of this thread's stretch. Outside of any, one begins that the next SampleUse of this
-  /// thread ends.
-  static std::uint64_t Begin()
+  /// This thread is about to use a brick.
+  /// \param cache that the brick belongs to
+  static void Hold(const void* cache, std::int64_t brick)
   {
-    const std::uint64_t time = Own().Time.load(std::memory_order_relaxed);
-    return time != Nothing ? time : BeginHere();
+    Thread& own = Own();
+    Used& place = own.Recent[static_cast<std::size_t>(brick) % own.Recent.size()];
+    if (place.Cache != cache || place.Brick != brick || place.Stretch != own.Stretch)
+    {
+      place = { cache, brick, own.Stretch };
+      List(own, cache, brick);
+    }
   }
 
-  /// The present time: no stretch has begun later.
-  static std::uint64_t Now();
-
-  /// The beginning of the oldest stretch that goes on, or the present time if there is none.
-  static std::uint64_t Oldest();
+  /// The bricks of a cache that threads use now, in no order.
+  /// \throws std::bad_alloc
+  static std::vector<std::int64_t> HeldOf(const void* cache);
 
   /// A sample is missing: throw the results of this stretch away.
   static void Miss() { Own().HasMissed = true; }
@@ -51,21 +58,30 @@ public:
   static bool HasMissed() { return Own().HasMissed; }
 
 private:
-  static constexpr std::uint64_t Nothing = ~std::uint64_t(0);
+  struct Used
+  {
+    const void* Cache;
+    std::int64_t Brick;
+    std::uint64_t Stretch;
+  };
 
-  /// What others may know of a thread.
+  /// What others may know of a thread, and what it knows of itself.
   struct Thread
   {
-    std::atomic<std::uint64_t> Time{ Nothing }; ///< at which its stretch began
-    std::atomic<bool> IsTaken{ true };          ///< by a thread that lives
-    int Depth = 0;                              ///< of stretches inside of each other
+    std::mutex Guard; ///< of the list
+    std::vector<std::pair<const void*, std::int64_t>> Listed;
+    std::atomic<bool> IsTaken{ true }; ///< by a thread that lives
+    int Depth = 0;                     ///< of stretches inside of each other
     bool HasMissed = false;
+    std::uint64_t Stretch = 1;
+    std::array<Used, 256> Recent{}; ///< some of those that are listed
     Thread* Next = nullptr;
   };
   struct Holder;
 
   static Thread& Own();
-  static std::uint64_t BeginHere();
+  static void List(Thread& own, const void* cache, std::int64_t brick);
+  static void Forget(Thread& own);
 
   static std::atomic<Thread*> Threads;
 };

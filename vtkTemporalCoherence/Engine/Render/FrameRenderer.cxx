@@ -85,6 +85,9 @@ bool FrameRenderer::Render(
     const bool isRepeat = !last.Picture.IsEmpty() && GiveSamePicture(last.Key, key);
     FrameTask task{ key, options, this->Store, this->Structures, statistics, nullptr, report,
       isRepeat };
+    const auto readsOf = [&]()
+    { return key.Samples.Bricks ? key.Samples.Bricks->NumberOfReads() : 0; };
+    const std::int64_t readsBefore = readsOf();
 
     // The changes and the available data determine the route.
     const std::shared_ptr<CachedImage> nearest = this->Store.FindNearest(key, options);
@@ -110,6 +113,7 @@ bool FrameRenderer::Render(
     {
       this->Shadows.End();
     }
+    this->ReadsOfLastFrame = readsOf() - readsBefore;
     this->KeepLight(light.get(), ofEdges.get(), task);
   }
   this->TimeToBuild = statistics.IsomapBuildTime;
@@ -297,14 +301,23 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
     case Route::KeepLabels:
       return TraceChangedLabels(task, this->Changes);
     case Route::FewerRays:
-      return CanHaveFewerRays(task.Key, task.Options) ? TraceFewerRays(task, this->Grid)
-                                                      : this->MakeInTime(route, task);
+      return this->PrefersGrid(task) ? TraceFewerRays(task, this->Grid)
+                                     : this->MakeInTime(route, task);
     case Route::Refine:
       return TraceBetweenRays(task);
     case Route::Cold:
       break;
   }
   return task.Key.IsBlended() ? BlendCold(task) : TraceCold(task);
+}
+
+/// True if a frame from fewer rays traces a grid of rays. Where many bricks are missing, a grid
+/// takes as long as all rays: it meets nearly the same bricks.
+bool FrameRenderer::PrefersGrid(const FrameTask& task) const
+{
+  constexpr std::int64_t many = 64;
+  return CanHaveFewerRays(task.Key, task.Options) &&
+    !(CanBeImpatient(task.Key, task.Options) && this->ReadsOfLastFrame > many);
 }
 
 /// Make a frame that does not wait for samples. Without missing samples its route is Cold.

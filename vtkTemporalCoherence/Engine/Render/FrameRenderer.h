@@ -14,6 +14,7 @@
 #include "Shade/KeptHitValues.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -91,6 +92,7 @@ private:
     std::uint32_t rays, bool isStill, KeptShadows* shadows);
   bool SmoothEdges(Route route, FrameTask& task, const ReportProgress& report,
     std::unique_ptr<SurfaceLight>& light);
+  bool PrefersGrid(const FrameTask& task) const;
   bool MakeInTime(Route& route, FrameTask& task);
   bool Make(Route& route, FrameTask& task, CachedImage* nearest);
   bool BuildAndLookUp(Route& route, FrameTask& task);
@@ -110,6 +112,8 @@ private:
   KnotForm LastForm;      ///< as requested for the last frame
   std::vector<std::uint64_t> UnresolvedRays; ///< memory of LookUp
   FrameStatistics OfLastFrame;
+  /// Bricks that the last frame read; many before the first one.
+  std::int64_t ReadsOfLastFrame = std::numeric_limits<std::int64_t>::max();
   bool IsLightFinal = true; ///< of the last frame
   double TimeToBuild = 0.0;
   std::shared_ptr<const FieldRanges> ForPicks; ///< of data without a frame so far; or null

@@ -61,6 +61,12 @@ std::shared_ptr<OutOfCoreVolume> OutOfCoreVolume::Open(std::shared_ptr<const Vol
   return volume;
 }
 
+OutOfCoreVolume::~OutOfCoreVolume()
+{
+  this->Ahead.reset();
+  this->SetMemoryLimit(0);
+}
+
 bool OutOfCoreVolume::FindRanges(
   const OutOfCoreOptions& options, const ReportProgress& report, std::string& error)
 {
@@ -133,7 +139,15 @@ bool OutOfCoreVolume::MayHold(std::int64_t brick, const std::vector<double>& iso
     });
 }
 
-void OutOfCoreVolume::Follow(const std::vector<double>& isovalues, std::uint64_t since) const
+void OutOfCoreVolume::BeginFrame() const
+{
+  if (this->Cache)
+  {
+    this->Cache->BeginFrame();
+  }
+}
+
+void OutOfCoreVolume::EndFrame(const std::vector<double>& isovalues) const
 {
   if (!this->Cache)
   {
@@ -154,7 +168,7 @@ void OutOfCoreVolume::Follow(const std::vector<double>& isovalues, std::uint64_t
                 { return this->Cache->Has(brick) || !this->MayHold(brick, isovalues); }),
     ahead.end());
   ahead.resize(std::min(ahead.size(), MostAhead));
-  this->Ahead->Want(std::move(ahead), since);
+  this->Ahead->Want(std::move(ahead));
 }
 
 std::string OutOfCoreVolume::TakeMistake() const

@@ -41,6 +41,11 @@ public:
   static std::shared_ptr<OutOfCoreVolume> Open(std::shared_ptr<const VolumeFile> file,
     const OutOfCoreOptions& options, const ReportProgress& report, std::string& error);
 
+  /// Frees the memory of bricks, even if pictures made from them are kept.
+  ~OutOfCoreVolume();
+  OutOfCoreVolume(const OutOfCoreVolume&) = delete;
+  OutOfCoreVolume& operator=(const OutOfCoreVolume&) = delete;
+
   const VolumeFile& File() const { return *this->Source; }
   const VolumeLevel& Level() const { return this->Source->Levels()[this->LevelNumber]; }
 
@@ -63,10 +68,13 @@ public:
 
   void SetMemoryLimit(std::size_t bytes) const;
 
-  /// Read ahead what a next frame may need: bricks beside those that the last frame waited for.
+  /// A frame begins that uses the samples.
+  void BeginFrame() const;
+
+  /// The frame is over. Read ahead what the next one may need: bricks beside those that this one
+  /// waited for.
   /// \param isovalues only bricks that these pass through
-  /// \param since     time of SampleUse at which the last frame began
-  void Follow(const std::vector<double>& isovalues, std::uint64_t since) const;
+  void EndFrame(const std::vector<double>& isovalues) const;
 
   /// The mistakes in reading since the last call; empty: no mistakes.
   std::string TakeMistake() const;

@@ -28,12 +28,12 @@ ReadAhead::~ReadAhead()
   }
 }
 
-void ReadAhead::Want(std::vector<std::int64_t> bricks, std::uint64_t since)
+void ReadAhead::Want(std::vector<std::int64_t> bricks)
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   std::reverse(bricks.begin(), bricks.end());
   this->Wanted = std::move(bricks);
-  this->Since = since;
+  ++this->Wish;
   if (this->Wanted.empty())
   {
     return;
@@ -63,19 +63,19 @@ void ReadAhead::Work()
       continue;
     }
     const std::int64_t brick = this->Wanted.back();
-    const std::uint64_t since = this->Since;
+    const std::uint64_t wish = this->Wish;
     this->Wanted.pop_back();
     lock.unlock();
     bool hasRoom = false;
     try
     {
-      hasRoom = this->Bricks->ReadAhead(brick, since);
+      hasRoom = this->Bricks->ReadAhead(brick);
     }
     catch (const std::bad_alloc&)
     {
     }
     lock.lock();
-    if (!hasRoom && this->Since == since)
+    if (!hasRoom && this->Wish == wish)
     {
       this->Wanted.clear();
     }

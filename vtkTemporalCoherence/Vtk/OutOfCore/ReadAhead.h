@@ -26,8 +26,7 @@ public:
   ReadAhead& operator=(const ReadAhead&) = delete;
 
   /// Read these bricks, in this order. Forget earlier wishes.
-  /// \param since bricks used at this time of SampleUse or later are not dropped for them
-  void Want(std::vector<std::int64_t> bricks, std::uint64_t since);
+  void Want(std::vector<std::int64_t> bricks);
 
 private:
   void Work();
@@ -36,7 +35,7 @@ private:
   std::mutex Guard; ///< of what follows
   std::condition_variable HasWork;
   std::vector<std::int64_t> Wanted; ///< the next one is the last
-  std::uint64_t Since = 0;
+  std::uint64_t Wish = 0;           ///< number of calls of Want
   bool IsOver = false;
   std::thread Thread; ///< begins with the first wanted brick
 };

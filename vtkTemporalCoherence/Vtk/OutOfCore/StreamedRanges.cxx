@@ -9,6 +9,8 @@
 #include "Scene/Parallel.h"
 
 #include <algorithm>
+#include <atomic>
+#include <new>
 #include <vector>
 
 namespace TemporalCoherence
@@ -107,19 +109,35 @@ private:
     const glm::ivec3& chunk = this->Chunks.Level().Chunk;
     const glm::ivec3 begin = first / chunk;
     const glm::ivec3 count = (first + size - 1) / chunk - begin + 1;
+    std::atomic<bool> isOutOfMemory{ false };
+    const auto readOne = [&](std::int64_t i)
+    {
+      const glm::ivec3 place =
+        begin + glm::ivec3(i % count.x, i / count.x % count.y, i / count.x / count.y);
+      const glm::ivec3 low = glm::max(first, chunk * place);
+      const glm::ivec3 part = glm::min(first + size, chunk * (place + 1)) - low;
+      const glm::i64vec3 at(low - first);
+      bricks.Read(low, part,
+        this->Slab.data() +
+          (at.x + strides.x * at.y + strides.y * at.z) * static_cast<std::int64_t>(this->Bytes),
+        strides);
+    };
     ParallelFor(static_cast<std::int64_t>(count.x) * count.y * count.z, 1,
       [&](std::int64_t i)
       {
-        const glm::ivec3 place =
-          begin + glm::ivec3(i % count.x, i / count.x % count.y, i / count.x / count.y);
-        const glm::ivec3 low = glm::max(first, chunk * place);
-        const glm::ivec3 part = glm::min(first + size, chunk * (place + 1)) - low;
-        const glm::i64vec3 at(low - first);
-        bricks.Read(low, part,
-          this->Slab.data() +
-            (at.x + strides.x * at.y + strides.y * at.z) * static_cast<std::int64_t>(this->Bytes),
-          strides);
+        try
+        {
+          readOne(i);
+        }
+        catch (const std::bad_alloc&)
+        {
+          isOutOfMemory = true; // not every kind of threads passes exceptions on
+        }
       });
+    if (isOutOfMemory)
+    {
+      throw std::bad_alloc();
+    }
   }
 
   ChunkCache& Chunks;

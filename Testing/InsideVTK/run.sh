@@ -51,7 +51,7 @@ packages=(g++ cmake ninja-build git python3 libglm-dev libhwy-dev libgtest-dev x
 external_modules=(doubleconversion eigen expat freetype glew hdf5 jpeg lz4 lzma nlohmannjson png pugixml
   tiff zlib)
 groups=(StandAlone Rendering Imaging MPI Qt Views Web)
-test_targets=(vtkTemporalCoherenceCxxTests TemporalCoherenceEngineTests)
+test_targets=(vtkTemporalCoherenceCxxTests TemporalCoherenceEngineTests TemporalCoherenceVolumeFilesTests)
 remote_file=$repository/Module/temporalcoherence.remote.cmake
 
 logged()

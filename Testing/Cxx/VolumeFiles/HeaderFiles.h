@@ -4,6 +4,7 @@
 #define TemporalCoherence_HeaderFiles_h
 
 #include "RawFiles.h"
+#include "VolumeFiles/VtkTypes.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -17,15 +18,6 @@
 
 namespace TemporalCoherence
 {
-
-/// VTK's number for a type of samples.
-inline int VtkTypeOf(ScalarType type)
-{
-  constexpr int types[] = { VTK_TYPE_INT8, VTK_TYPE_UINT8, VTK_TYPE_INT16, VTK_TYPE_UINT16,
-    VTK_TYPE_INT32, VTK_TYPE_UINT32, VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_TYPE_FLOAT32,
-    VTK_TYPE_FLOAT64 };
-  return types[static_cast<int>(type)];
-}
 
 /// An image of 5 x 4 x 3 samples SampleAt(), whose first index is not 0. Sample (0, 0, 0) of the
 /// file lies at (11, 19.5, 30.75).

@@ -4,6 +4,7 @@
 
 #include "VolumeFiles/ReaderErrors.h"
 #include "VolumeFiles/ReaderFiles.h"
+#include "VolumeFiles/VtkTypes.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 namespace TemporalCoherence
 {
@@ -40,8 +42,8 @@ vtkDataArray* FindArray(vtkAlgorithm* reader, const std::string& name, std::stri
   }
   if (array->GetNumberOfComponents() != 1)
   {
-    error = ReaderText(reader) + "gives an array " + NameOf(array) + " of " +
-      std::to_string(array->GetNumberOfComponents()) +
+    error = ReaderText(reader) + "gives an array '" + (array->GetName() ? array->GetName() : "") +
+      "' of " + std::to_string(array->GetNumberOfComponents()) +
       " components, but a volume has one; choose another array, or extract a component.";
     return nullptr;
   }

@@ -30,7 +30,7 @@
 namespace
 {
 
-constexpr int N = 100;
+constexpr int N = 200; ///< more samples than the reader gives at a time
 
 /// Gives parts of an image, and takes its time.
 class SlowReader : public vtkImageAlgorithm
@@ -80,7 +80,7 @@ struct Stage
     this->Reader->Whole = vtkImageData::SafeDownCast(this->Memory.Mapper->GetInputDataObject(0, 0));
     this->Source->SetReader(this->Reader);
     this->Source->SetRangesFolder(this->Folder.string());
-    this->Source->Update();
+    this->Open();
     this->Reader->Delay = std::chrono::milliseconds(100);
     this->Slow.Mapper->SetBrickSource(this->Source);
     this->Memory.LookFrom(1.0, 2.0, 0.5);
@@ -99,6 +99,14 @@ struct Stage
   }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
+
+  /// Open the volume. Little of what was read for the value ranges stays in memory.
+  void Open()
+  {
+    this->Source->SetMemoryLimit(1 << 20);
+    this->Source->Update();
+    this->Source->SetMemoryLimit(64 << 20);
+  }
 
   bool ShowTheSame()
   {
@@ -143,7 +151,7 @@ void TestRefined()
     scene->SetIsovalues({ 60.0 });
   }
   stage.Source->Close(); // nothing is known again
-  stage.Source->Update();
+  stage.Open();
   stage.Window->Render();
   Expect(refiner->Refine() && stage.ShowTheSame(), "the final picture of a solid");
 }

@@ -327,6 +327,16 @@ Volume ReadUntried(const VolumeSource& source, const ReadingProgress& progress)
 namespace
 {
 
+// Of files that are read whole.
+void RequireOneOfEach(const VolumeSource& source)
+{
+  if (source.Level > 0 || source.Channel > 0)
+  {
+    throw UserError(Quoted(source.Path) +
+      " is read as one resolution and one channel; leave out --resolution and --channel.");
+  }
+}
+
 // A file that is no list of others: read on trial first, unless it is read as it is needed.
 Volume ReadOne(const VolumeSource& source, const ReadingProgress& progress)
 {
@@ -334,11 +344,7 @@ Volume ReadOne(const VolumeSource& source, const ReadingProgress& progress)
   {
     return ReadUntried(source, progress);
   }
-  if (source.Level > 0 || source.Channel > 0)
-  {
-    throw UserError(Quoted(source.Path) +
-      " is read as one resolution and one channel; leave out --resolution and --channel.");
-  }
+  RequireOneOfEach(source);
   // The trial is told as the first half of reading.
   double begin = 0.0;
   const ReadingProgress half = [&](double share)
@@ -415,6 +421,7 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
   RequireReadable(source.Path);
   if (source.Raw)
   {
+    RequireOneOfEach(source);
     return ReadUntried(source, progress);
   }
   return IsSeriesName(source.Path) ? ReadSeries(source, progress) : ReadOne(source, progress);

@@ -17,8 +17,9 @@ VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .nrrd .nhdr .slc), a stack 
 a grid (.vtu .vts .vtr .vtm .vth .vtk, Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a list of
 time steps (.pvd .series), a directory with a DICOM series or with slices, or, with --raw, a file of
 bare samples. A volume may be larger than memory: a folder of OME-Zarr, a file of HDF5 (.ims .h5), and
-raw samples without compression are read as they are needed. Without VOLUME: a magnetic resonance image of a head from Debian's package
-mricron-data, or four generated spheres where that cannot be had.
+raw samples without compression are read as they are needed. Without VOLUME: a magnetic resonance
+image of a head from Debian's package mricron-data, or four generated spheres where that cannot be
+had.
 
 What is missing is installed with apt (see Module/setup.sh --help), for --explore VTK's Qt widgets
 (package libvtk9-qt-dev), for DICOM GDCM (libgdcm-dev), too. vtkTemporalCoherence is built and

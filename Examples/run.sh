@@ -16,8 +16,10 @@ usage: Examples/run.sh [VOLUME [ISOVALUE]] [OPTIONS]
 VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .nrrd .nhdr .slc), a stack of slices (.tif .png),
 a grid (.vtu .vts .vtr .vtm .vth .vtk, Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a list of
 time steps (.pvd .series), a directory with a DICOM series or with slices, or, with --raw, a file of
-bare samples. Without VOLUME: a magnetic resonance image of a head from Debian's package
-mricron-data, or four generated spheres where that cannot be had.
+bare samples. A volume may be larger than memory: a folder of OME-Zarr, a file of HDF5 (.ims .h5), and
+raw samples without compression are read as they are needed. Without VOLUME: a magnetic resonance
+image of a head from Debian's package mricron-data, or four generated spheres where that cannot be
+had.
 
 What is missing is installed with apt (see Module/setup.sh --help), for --explore VTK's Qt widgets
 (package libvtk9-qt-dev), for DICOM GDCM (libgdcm-dev), too. vtkTemporalCoherence is built and
@@ -34,6 +36,7 @@ against what is installed there.
   --time-step N          which time step of a file with several; default 1
   --raw NX,NY,NZ,TYPE[,SX,SY,SZ], --big-endian
                          what a file of bare samples holds, for example 256,256,110,uchar,1,1,2
+  --large                reads raw samples and stacks of slices as they are needed, whatever their size
   --quick                small pictures, few frames
   --explore              a window to look around in instead of pictures; needs a display
   --command              one picture or film, by Examples/Command, whose options follow; --command
@@ -55,6 +58,7 @@ head_isovalue=45 # skin
 takes_value()
 {
   [[ $1 =~ ^(-o|--(size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|screenshot))$ ]] ||
+    [[ $1 =~ ^--(resolution|channel|memory)$ ]] ||
     [[ $1 =~ ^--(iso|opacity|color|palette|material|light|preset|shift|window|level|draw|azimuth)$ ]] ||
     [[ $1 =~ ^--(elevation|zoom|clip|cut|background|samples|film|rate)$ ]]
 }
@@ -96,7 +100,11 @@ elif [[ $volume != generated && $volume != of_session && ! -e $volume ]]; then
   exit 1
 fi
 
-[ ! -d "$volume" ] || setup_options+=(--with-dicom)
+is_zarr()
+{
+  [ -e "$1/.zattrs" ] || [ -e "$1/.zgroup" ] || [ -e "$1/.zarray" ] || [ -e "$1/zarr.json" ]
+}
+[ ! -d "$volume" ] || is_zarr "$volume" || setup_options+=(--with-dicom)
 
 "$repository/Module/setup.sh" "${setup_options[@]}"
 

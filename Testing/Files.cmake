@@ -33,7 +33,7 @@ if (Python3_Interpreter_FOUND)
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/fuzz_files.py"
       --opener "$<TARGET_FILE:OpenFiles>" --count 3
       --scratch "${CMAKE_BINARY_DIR}/Testing/Files/cxx")
-  foreach (test IN ITEMS files nrrd series stacks)
+  foreach (test IN ITEMS files large nrrd series stacks)
     add_test(NAME "Files-Read-${test}"
       COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/read_${test}.py"
         "$<TARGET_FILE:OpenFiles>")

@@ -129,6 +129,40 @@ if (NOT count EQUAL 3)
 endif ()
 run("${CHECK_PICTURE}" ${turn})
 
+# Samples that are read as they are needed give the same pictures. Letters are samples, too.
+set(large "${pictures}/large")
+file(MAKE_DIRECTORY "${large}/volume.zarr")
+set(samples "")
+foreach (plane IN ITEMS ABCDDCBA BCDEEDCB CDFGGFDC DEGHHGED DEGHHGED CDFGGFDC BCDEEDCB ABCDDCBA)
+  foreach (row IN ITEMS AAAAAAAA "${plane}" "${plane}" KLMNNMLK KLMNNMLK "${plane}" "${plane}" AAAAAAAA)
+    string(APPEND samples "${row}")
+  endforeach ()
+endforeach ()
+file(WRITE "${large}/volume.raw" "${samples}")
+file(WRITE "${large}/volume.mhd" "ObjectType = Image
+NDims = 3
+DimSize = 8 8 8
+ElementSpacing = 1 1 1
+ElementType = MET_UCHAR
+ElementDataFile = volume.raw
+")
+file(WRITE "${large}/volume.zarr/.zarray" "{\"zarr_format\": 2, \"shape\": [8, 8, 8],
+\"chunks\": [8, 8, 8], \"dtype\": \"|u1\", \"compressor\": null, \"fill_value\": 0,
+\"order\": \"C\", \"filters\": null}")
+file(WRITE "${large}/volume.zarr/0.0.0" "${samples}")
+foreach (way IN ITEMS volume.mhd "volume.mhd;--large"
+    "volume.raw;--raw;8,8,8,uchar;--large" volume.zarr)
+  list(GET way 0 volume)
+  list(REMOVE_AT way 0)
+  run("${command}" "${large}/${volume}" ${way} --iso 70 --size 96 -o "${large}/picture.png")
+  run("${CHECK_PICTURE}" "${large}/picture.png")
+  file(MD5 "${large}/picture.png" digest)
+  if (DEFINED digest_in_memory AND NOT digest STREQUAL digest_in_memory)
+    message(FATAL_ERROR "${volume} ${way}: another picture than of samples in memory")
+  endif ()
+  set(digest_in_memory "${digest}")
+endforeach ()
+
 # Wrong use: exit status 1, and one line of a size to read that holds the given words, and nothing
 # that a terminal would obey.
 string(ASCII 27 escape)

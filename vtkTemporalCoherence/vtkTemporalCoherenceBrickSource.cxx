@@ -10,7 +10,10 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationInformationVectorKey.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -27,6 +30,26 @@ namespace
 
 constexpr vtkTypeInt64 LeastLimit = vtkTypeInt64(1) << 20;
 constexpr vtkTypeInt64 UsualLimit = vtkTypeInt64(3) << 29;
+
+/// Tell VTK the range of the values of a mapped array, for which it would read all samples. Arrays
+/// in bricks tell it themselves. A change of the array, such as another name, makes VTK forget it.
+void TellRange(vtkDataArray* array, const TemporalCoherence::OutOfCoreVolume& volume)
+{
+  const TemporalCoherence::KnownRanges& known = *volume.Ranges();
+  const auto tell = [array](vtkInformationInformationVectorKey* key, const glm::dvec2& range)
+  {
+    vtkNew<vtkInformation> component;
+    component->Set(vtkDataArray::COMPONENT_RANGE(), &range.x, 2);
+    vtkNew<vtkInformationVector> components;
+    components->Append(component);
+    array->GetInformation()->Set(key, components);
+  };
+  if (volume.Mapped() && known.HasFinite)
+  {
+    tell(vtkAbstractArray::PER_COMPONENT(), known.Whole);
+    tell(vtkAbstractArray::PER_FINITE_COMPONENT(), known.Finite);
+  }
+}
 
 }
 
@@ -279,6 +302,7 @@ int vtkTemporalCoherenceBrickSource::RequestData(
   image->SetSpacing(&level.Spacing.x);
   image->SetOrigin(&level.Origin.x);
   this->Inner->Array->SetName(this->ArrayName.empty() ? "Samples" : this->ArrayName.c_str());
+  TellRange(this->Inner->Array, *this->Inner->Volume);
   image->GetPointData()->SetScalars(this->Inner->Array);
   return 1;
 }

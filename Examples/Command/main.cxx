@@ -98,6 +98,11 @@ void SetLook(Model& model, const Options& options)
       " is a mesh, of which only surfaces can be drawn; leave out --preset, --maximum, --minimum "
       "and --draw.");
   }
+  if (look.Choice(Row::Drawing) == Drawing::Labels && model.Data().Bricks)
+  {
+    throw UserError("Labels of " + Quoted(model.Data().Name) +
+      " are not drawn, as the volume is read as it is needed; leave out --draw labels.");
+  }
   if (look.Choice(Row::Drawing) == Drawing::Labels && !model.CanBeLabels())
   {
     throw UserError("The samples of " + Quoted(model.Data().Name) +

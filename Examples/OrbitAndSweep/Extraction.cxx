@@ -38,6 +38,10 @@ Extraction TimeExtraction(const Volume& volume, double isovalue)
   const Silence silence; // filters tell of each flat cell
   Extraction extraction;
   extraction.Isovalue = isovalue;
+  if (volume.Bricks)
+  {
+    return extraction; // it would read all samples
+  }
   for (vtkDataSet* set : DataSetsOf(volume.Data))
   {
     const vtkSmartPointer<vtkDataSet> copy = WithOneScalar(set, volume.Array);

@@ -13,7 +13,7 @@ struct Volume;
 // the surface again.
 struct Extraction
 {
-  std::string Filter; // the class that extracts
+  std::string Filter; // the class that extracts; empty: the volume is read as it is needed
   double Ms = 0.0;
   vtkIdType Triangles = 0;
   double Isovalue = 0.0;

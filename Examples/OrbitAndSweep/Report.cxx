@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "Files/Volume.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
@@ -61,6 +63,22 @@ double MedianMs(const std::vector<FrameRecord>& records, const std::string& chan
 
 }
 
+void PrintMemory(const Volume& volume)
+{
+  if (!volume.Bricks)
+  {
+    return;
+  }
+  if (volume.Bricks->GetIsMapped())
+  {
+    std::printf("Samples: mapped from the file; they take no memory of the program.\n");
+    return;
+  }
+  const auto inMiB = [](vtkTypeInt64 bytes) { return static_cast<double>(bytes) / (1 << 20); };
+  std::printf("Samples: %.0f MiB in memory, of at most %.0f MiB.\n",
+    inMiB(volume.Bricks->GetMemoryInUse()), inMiB(volume.Bricks->GetMemoryLimit()));
+}
+
 void PrintTable(const std::vector<FrameRecord>& records)
 {
   std::printf("\n%-10s %-13s %6s %10s %8s %8s %9s %9s %12s\n", "change", "route", "frames",
@@ -88,6 +106,13 @@ void PrintGain(const std::vector<FrameRecord>& records, const Extraction& extrac
   {
     std::printf(" %s %.1f x%s", change, without / MedianMs(records, change),
       change == std::string("repeat") ? ".\n" : ",");
+  }
+  if (extraction.Filter.empty())
+  {
+    std::printf("A new threshold is in the picture after %.1f ms; triangles are not extracted: the "
+                "volume is read as\nit is needed.\n",
+      MedianMs(records, "threshold"));
+    return;
   }
   std::printf("A new threshold is in the picture after %.1f ms; %s takes %.1f ms for the "
               "extraction alone of\nthe %lld triangles at isovalue %g, which are then still to be "

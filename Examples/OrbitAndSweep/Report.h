@@ -8,8 +8,13 @@
 
 #include <vector>
 
+struct Volume;
+
 // A table on standard output: a row for each change and route.
 void PrintTable(const std::vector<FrameRecord>& records);
+
+// What samples take that are read as they are needed; of other volumes nothing.
+void PrintMemory(const Volume& volume);
 
 // What the mapper's re-use gained, and against extracting the surface anew.
 void PrintGain(const std::vector<FrameRecord>& records, const Extraction& extraction);

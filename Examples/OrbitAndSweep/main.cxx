@@ -52,6 +52,7 @@ void Run(const Options& options)
 
   PrintTable(records);
   PrintGain(records, extraction);
+  PrintMemory(volume);
   std::printf("Pictures: %d in %s, all at a glance in %s\n", book.NumberOfPictures(),
     Printable(options.OutputDirectory).c_str(), Printable(book.ContactSheet()).c_str());
 }

@@ -46,8 +46,8 @@ const char* const Usage =
 usage: OpenFiles < REQUESTS
 
 A request is a line WAY<tab>FILE<tab>SAID[<tab>LAYOUT[<tab>TIME]]: WAY is explorer, session, orbit, tell or
-pass, FILE what is opened, SAID a file for what is printed, LAYOUT what --raw takes, or of tell an
-array, TIME its time step, from 1. With
+pass, with large- before it as with --large, FILE what is opened, SAID a file for what is printed, LAYOUT
+what --raw takes, or of tell an array, TIME its time step, from 1. With
 tell nothing is drawn: what was read is told, and where its samples lie; with pass it is handed over by
 a file first, as from a process that tries it. The answer is a line with the
 status that wait() gave and the most memory that the process had, in KiB: "0 51234". A process that
@@ -57,6 +57,7 @@ takes more than 20 s is ended by SIGALRM; one that asks for more than 1 GiB is r
 struct Request
 {
   std::string Way, File, Said, Layout, Time;
+  bool IsLarge = false;
 };
 
 Request Parse(const std::string& line)
@@ -68,6 +69,12 @@ Request Parse(const std::string& line)
   std::getline(in, request.Said, '\t');
   std::getline(in, request.Layout, '\t');
   std::getline(in, request.Time, '\t');
+  const std::string large = "large-";
+  if (request.Way.compare(0, large.size(), large) == 0)
+  {
+    request.IsLarge = true;
+    request.Way.erase(0, large.size());
+  }
   return request;
 }
 
@@ -144,6 +151,7 @@ int Open(const Request& request)
     {
       VolumeSource source;
       source.Path = request.File;
+      source.IsLarge = request.IsLarge;
       source.TimeStep = request.Time.empty() ? 1 : std::stoi(request.Time);
       if (request.Way == "tell" || request.Way == "pass")
       {

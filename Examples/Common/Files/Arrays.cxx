@@ -171,6 +171,11 @@ void ChooseArray(Volume& volume, const std::string& name, const std::optional<do
     volume.Array = *named;
     return;
   }
+  if (volume.Bricks) // one array, which was chosen where the volume was opened
+  {
+    volume.Array = {};
+    return;
+  }
   Drawn drawn(volume.Data);
   const auto varies = [&drawn](const ArrayChoice& choice)
   {
@@ -294,7 +299,7 @@ bool AreWholeNumbers(const Volume& volume)
 {
   const std::vector<vtkDataSet*> sets = DataSetsOf(volume.Data);
   const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
-  return !arrays.empty() &&
+  return !arrays.empty() && !volume.Bricks && // all samples would be looked at
     std::all_of(sets.begin(), sets.end(),
       [](vtkDataSet* set) { return vtkImageData::SafeDownCast(set) != nullptr; }) &&
     std::all_of(arrays.begin(), arrays.end(),

@@ -85,6 +85,43 @@ std::set<std::string> NamesIn(const std::string& text)
   return names;
 }
 
+}
+
+UserError Damaged(const std::string& path, const std::string& reason)
+{
+  return UserError(Quoted(path) + " could not be read: " + reason +
+    "; check that the file is whole and of the right format.");
+}
+
+UserError TooLarge(const std::string& path)
+{
+  return UserError(Quoted(path) +
+    " takes more memory than there is; check that the file is whole, or choose a smaller one.");
+}
+
+std::uintmax_t SizeOf(const std::string& path)
+{
+  std::error_code error;
+  // Others may never end, or never begin.
+  if (!fs::is_regular_file(path, error))
+  {
+    throw Damaged(path, fs::exists(path, error) ? "it is no regular file" : "it is not there");
+  }
+  const std::uintmax_t size = fs::file_size(path, error);
+  return error ? 0 : size;
+}
+
+std::string BytesOf(const std::string& path, std::uintmax_t most)
+{
+  std::string bytes(static_cast<std::size_t>(std::min(SizeOf(path), most)), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) && !bytes.empty())
+  {
+    throw Damaged(path, "it could not be read to its end");
+  }
+  return bytes;
+}
+
 double BytesWithParts(const std::string& path)
 {
   std::error_code error;
@@ -128,43 +165,6 @@ double BytesWithParts(const std::string& path)
     }
   }
   return sum;
-}
-
-}
-
-UserError Damaged(const std::string& path, const std::string& reason)
-{
-  return UserError(Quoted(path) + " could not be read: " + reason +
-    "; check that the file is whole and of the right format.");
-}
-
-UserError TooLarge(const std::string& path)
-{
-  return UserError(Quoted(path) +
-    " takes more memory than there is; check that the file is whole, or choose a smaller one.");
-}
-
-std::uintmax_t SizeOf(const std::string& path)
-{
-  std::error_code error;
-  // Others may never end, or never begin.
-  if (!fs::is_regular_file(path, error))
-  {
-    throw Damaged(path, fs::exists(path, error) ? "it is no regular file" : "it is not there");
-  }
-  const std::uintmax_t size = fs::file_size(path, error);
-  return error ? 0 : size;
-}
-
-std::string BytesOf(const std::string& path, std::uintmax_t most)
-{
-  std::string bytes(static_cast<std::size_t>(std::min(SizeOf(path), most)), '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) && !bytes.empty())
-  {
-    throw Damaged(path, "it could not be read to its end");
-  }
-  return bytes;
 }
 
 ReadingLimits LimitsOf(const std::string& path)

@@ -20,8 +20,10 @@ std::uintmax_t SizeOf(const std::string& path);
 // The whole file, or its beginning. Throws if it is no regular file or cannot be read.
 std::string BytesOf(const std::string& path, std::uintmax_t most = UINTMAX_MAX);
 
-// What reading may take, by the size of the file, of the files that it names, or of all files of a
-// folder.
+// Bytes of a file and of the files that it names, or of all files of a folder.
+double BytesWithParts(const std::string& path);
+
+// What reading may take, by these bytes.
 struct ReadingLimits
 {
   double Seconds = 0.0; // of a processor

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <sstream>
@@ -141,6 +142,18 @@ protected:
   }
 };
 
+}
+
+bool IsRescaledMetaImage(const std::string& path)
+{
+  const std::map<std::string, std::string> fields = FieldsOf(path);
+  const auto differs = [&fields](const char* key, double usual)
+  {
+    const auto field = fields.find(key);
+    return field != fields.end() && std::strtod(field->second.c_str(), nullptr) != usual;
+  };
+  return differs("ElementToIntensityFunctionSlope", 1.0) ||
+    differs("ElementToIntensityFunctionOffset", 0.0);
 }
 
 void ReadMetaImage(const std::string& path, const ReadingProgress& progress, Volume& volume)

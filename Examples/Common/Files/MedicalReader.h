@@ -11,6 +11,8 @@
 // Files of scanners tell more than VTK's readers apply: what values the samples stand for, and
 // where they lie. All throw UserError.
 void ReadMetaImage(const std::string& path, const ReadingProgress& progress, Volume& volume);
+// Whether the samples of a MetaImage stand for other values.
+bool IsRescaledMetaImage(const std::string& path);
 // \param timeStep from 1, of a file of several
 void ReadNifti(
   const std::string& path, int timeStep, const ReadingProgress& progress, Volume& volume);

@@ -18,11 +18,6 @@
 namespace
 {
 
-std::unique_ptr<PictureFile> OpenPicture(const std::string& path)
-{
-  return EndsWith(LowerCase(path), ".png") ? OpenPng(path) : OpenTiff(path);
-}
-
 // How many pictures a file has; all are looked at.
 int PagesOf(const std::string& path)
 {
@@ -78,13 +73,7 @@ private:
           " has several pictures, a stack of its own, among files of one slice; open it alone, or "
           "move it elsewhere.");
       }
-      if (!picture->Kind().IsLike(this->Kind))
-      {
-        throw UserError((pages > 1 ? "Picture " + std::to_string(page + 1) + " of " : "") +
-          Quoted(file) + " is of another size or type (" + picture->Kind().Text() +
-          ") than the slices before it (" + this->Kind.Text() +
-          "); save them alike, or move it elsewhere.");
-      }
+      RequireLike(this->Kind, *picture, file, pages > 1 ? page + 1 : 0);
       picture->Read(static_cast<unsigned char*>(this->Image->GetScalarPointer(0, 0, this->Done)));
     }
   }
@@ -131,23 +120,40 @@ std::string PictureKind::Text() const
   return text.str();
 }
 
-void ReadStack(const std::string& path, const ReadingProgress& progress, Volume& volume)
+std::unique_ptr<PictureFile> OpenPicture(const std::string& path)
+{
+  return EndsWith(LowerCase(path), ".png") ? OpenPng(path) : OpenTiff(path);
+}
+
+void RequireLike(
+  const PictureKind& before, const PictureFile& picture, const std::string& file, int page)
+{
+  if (!picture.Kind().IsLike(before))
+  {
+    throw UserError((page > 0 ? "Picture " + std::to_string(page) + " of " : "") + Quoted(file) +
+      " is of another size or type (" + picture.Kind().Text() + ") than the slices before it (" +
+      before.Text() + "); save them alike, or move it elsewhere.");
+  }
+}
+
+SliceStack SlicesOf(const std::string& path)
 {
   StackFiles stack = StackFilesOf(path);
   std::error_code error;
   const bool isFolder = std::filesystem::is_directory(path, error);
-  int pages = 1;
+  SliceStack slices;
   if (!isFolder || stack.Paths.size() == 1)
   {
     // A file of several pictures is a volume, whatever is beside it.
     const std::string& file = isFolder ? stack.Paths.front() : path;
-    pages = PagesOf(file);
-    if (pages > 1)
+    slices.Pages = PagesOf(file);
+    if (slices.Pages > 1)
     {
       stack = { { file }, "", 0.0, stack.Others };
     }
   }
-  if (static_cast<int>(stack.Paths.size()) * pages < 2)
+  slices.Files = stack.Paths;
+  if (slices.Count() < 2)
   {
     throw UserError(Quoted(path) +
       " is one slice without others: there are no pictures beside it whose names differ by a "
@@ -158,8 +164,6 @@ void ReadStack(const std::string& path, const ReadingProgress& progress, Volume&
     throw UserError(Quoted(stack.Twin) +
       " has the number of another picture beside it; keep one picture of each number.");
   }
-  Stack reader(path, progress);
-  volume.Data = reader.Read(stack.Paths, pages);
   const auto count = static_cast<double>(stack.Paths.size());
   std::ostringstream remark;
   remark.precision(15);
@@ -175,10 +179,19 @@ void ReadStack(const std::string& path, const ReadingProgress& progress, Volume&
            << Quoted(path)
            << " are left out: their names differ from those of the stack by more than a number.";
   }
-  else if (reader.Kind.IsOfPalette)
+  slices.Remark = remark.str();
+  return slices;
+}
+
+void ReadStack(const std::string& path, const ReadingProgress& progress, Volume& volume)
+{
+  const SliceStack slices = SlicesOf(path);
+  Stack reader(path, progress);
+  volume.Data = reader.Read(slices.Files, slices.Pages);
+  volume.Remark = slices.Remark;
+  if (volume.Remark.empty() && reader.Kind.IsOfPalette)
   {
-    remark << "The slices of " << Quoted(path)
-           << " have colours from a table: the numbers of the colours are drawn.";
+    volume.Remark = "The slices of " + Quoted(path) +
+      " have colours from a table: the numbers of the colours are drawn.";
   }
-  volume.Remark = remark.str();
 }

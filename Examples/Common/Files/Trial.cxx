@@ -5,6 +5,7 @@
 #include "Files/FileCheck.h"
 #include "Files/HandOver.h"
 #include "Files/VolumeReader.h"
+#include "Program/Memory.h"
 
 #ifdef _WIN32
 
@@ -122,11 +123,6 @@ bool Receive(int socket, Message& message, std::string& text)
   }
   text.assign(message.Size, '\0');
   return ReceiveAll(socket, text.data(), text.size());
-}
-
-double MemoryOfMachine()
-{
-  return static_cast<double>(sysconf(_SC_PAGESIZE)) * static_cast<double>(sysconf(_SC_PHYS_PAGES));
 }
 
 std::string HandOverFile(pid_t reader)

@@ -4,8 +4,10 @@
 #define Volume_h
 
 #include <vtkDataObject.h>
+#include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkSmartPointer.h>
+#include <vtkTemporalCoherenceBrickSource.h>
 
 #include <string>
 
@@ -26,6 +28,11 @@ struct Volume
   int TimeSteps = 1;                       // that the file has
   bool IsRaw = false;                      // of bare samples, whose type the user told
   std::string Remark;                      // a sentence on what is drawn otherwise; seldom one
+
+  // Of a volume that is read as it is needed; else null. Nothing may ask for all of its samples:
+  // for that there is a small image in memory.
+  vtkSmartPointer<vtkTemporalCoherenceBrickSource> Bricks;
+  vtkSmartPointer<vtkImageData> Coarse;
 };
 
 #endif

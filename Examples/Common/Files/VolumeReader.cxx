@@ -5,10 +5,12 @@
 #include "Files/Arrays.h"
 #include "Files/FileCheck.h"
 #include "Files/FourSpheres.h"
+#include "Files/LargeVolume.h"
 #include "Files/MedicalReader.h"
 #include "Files/MeshReader.h"
 #include "Files/NrrdReader.h"
 #include "Files/PlaceCheck.h"
+#include "Files/RawReader.h"
 #include "Files/Reading.h"
 #include "Files/SeriesFile.h"
 #include "Files/StackFiles.h"
@@ -22,7 +24,6 @@
 #include <vtkBitArray.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkImageReader2.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -34,11 +35,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <new>
-#include <sstream>
 
 namespace
 {
@@ -55,7 +54,8 @@ std::string ListOfSuffixes()
   {
     list += std::string(list.empty() ? "" : ", ") + suffix;
   }
-  return list + ", " + ListOfMeshSuffixes() + ", .pvd, .series, .tif, .tiff, .png";
+  return list + ", " + ListOfMeshSuffixes() +
+    ", .pvd, .series, .tif, .tiff, .png, .ims, .h5, .hdf5";
 }
 
 bool IsImageFile(const std::string& legacyPath)
@@ -70,45 +70,6 @@ vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path, const ReadingP
   vtkNew<vtkStructuredPointsReader> reader;
   reader->SetFileName(path.c_str());
   ReadAllArrays(reader);
-  Watch(reader, progress).Update(path);
-  return reader->GetOutput();
-}
-
-vtkSmartPointer<vtkImageData> ReadRaw(const std::string& path, const RawLayout& layout,
-  bool isBigEndian, const ReadingProgress& progress)
-{
-  double wanted = static_cast<double>(vtkDataArray::GetDataTypeSize(layout.ScalarType));
-  for (const int n : layout.Dimensions)
-  {
-    wanted *= static_cast<double>(n);
-  }
-  const std::uintmax_t there = SizeOf(path);
-  if (static_cast<double>(there) != wanted)
-  {
-    std::ostringstream what;
-    what.precision(15);
-    what << Quoted(path) << " has " << there << " bytes, but --raw tells of " << wanted
-         << "; correct the dimensions or the type.";
-    throw UserError(what.str());
-  }
-  vtkNew<vtkImageReader2> reader;
-  reader->SetFileName(path.c_str());
-  reader->SetFileDimensionality(3);
-  reader->SetDataExtent(
-    0, layout.Dimensions[0] - 1, 0, layout.Dimensions[1] - 1, 0, layout.Dimensions[2] - 1);
-  reader->SetDataSpacing(layout.Spacing.data());
-  reader->SetDataScalarType(layout.ScalarType);
-  reader->SetNumberOfScalarComponents(1);
-  // Rows in the order they have in the file, whatever the byte order.
-  reader->FileLowerLeftOn();
-  if (isBigEndian)
-  {
-    reader->SetDataByteOrderToBigEndian();
-  }
-  else
-  {
-    reader->SetDataByteOrderToLittleEndian();
-  }
   Watch(reader, progress).Update(path);
   return reader->GetOutput();
 }
@@ -251,7 +212,7 @@ void CheckPlace(vtkImageData* image, vtkMatrix4x4* placement, const std::string&
 bool HasVolumeSuffix(const std::string& path)
 {
   const std::string name = LowerCase(path);
-  return IsMeshName(path) || IsSeriesName(path) || IsPictureName(path) ||
+  return IsMeshName(path) || IsSeriesName(path) || IsPictureName(path) || IsHdf5Name(path) ||
     std::any_of(KnownSuffixes.begin(), KnownSuffixes.end(),
       [&name](const char* suffix) { return EndsWith(name, suffix); });
 }
@@ -290,7 +251,11 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   Volume volume;
 
   std::error_code error;
-  if (fs::is_directory(path, error) && IsFolderOfPictures(path))
+  if (IsReadAsNeeded(source))
+  {
+    OpenLarge(source, progress, volume);
+  }
+  else if (fs::is_directory(path, error) && IsFolderOfPictures(path))
   {
     ReadStack(path, progress, volume);
   }
@@ -312,12 +277,12 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   {
     throw UnreadableOrPart(path);
   }
-  if (!source.Raw && volume.Data)
+  if (!source.Raw && volume.Data && !volume.Bricks)
   {
     RequireBytesFor(path, 1024.0 * static_cast<double>(volume.Data->GetActualMemorySize()));
   }
   volume.Name = Printable(fs::path(path).filename().string());
-  if (source.TimeStep > volume.TimeSteps)
+  if (source.TimeStep > volume.TimeSteps && !volume.Bricks)
   {
     throw NoTimeStep(source, volume.TimeSteps);
   }
@@ -362,9 +327,24 @@ Volume ReadUntried(const VolumeSource& source, const ReadingProgress& progress)
 namespace
 {
 
-// A file that is no list of others: read on trial first.
+// Of files that are read whole.
+void RequireOneOfEach(const VolumeSource& source)
+{
+  if (source.Level > 0 || source.Channel > 0)
+  {
+    throw UserError(Quoted(source.Path) +
+      " is read as one resolution and one channel; leave out --resolution and --channel.");
+  }
+}
+
+// A file that is no list of others: read on trial first, unless it is read as it is needed.
 Volume ReadOne(const VolumeSource& source, const ReadingProgress& progress)
 {
+  if (IsReadAsNeeded(source))
+  {
+    return ReadUntried(source, progress);
+  }
+  RequireOneOfEach(source);
   // The trial is told as the first half of reading.
   double begin = 0.0;
   const ReadingProgress half = [&](double share)
@@ -441,6 +421,7 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
   RequireReadable(source.Path);
   if (source.Raw)
   {
+    RequireOneOfEach(source);
     return ReadUntried(source, progress);
   }
   return IsSeriesName(source.Path) ? ReadSeries(source, progress) : ReadOne(source, progress);

@@ -3,6 +3,7 @@
 #include "Model/Annotations.h"
 
 #include "Files/Arrays.h"
+#include "Files/CoarseImage.h"
 
 #include <vtkActor.h>
 #include <vtkAxisActor2D.h>
@@ -112,8 +113,9 @@ void Annotations::Show(const Volume& volume, int component, const Box& bounds)
 // Along the image's own axes: its directions are a part of the matrix.
 void Annotations::TakeSamples()
 {
-  vtkImageData* const image = vtkImageData::SafeDownCast(this->Shown.Data);
-  vtkDataArray* const array = ShownArrays(this->Shown).front();
+  // Of a volume that is read as it is needed, those of its coarse image.
+  vtkImageData* const image = vtkImageData::SafeDownCast(SamplesInMemory(this->Shown));
+  vtkDataArray* const array = ArrayOf(image, this->Shown.Array);
   vtkNew<vtkImageData> plain;
   plain->SetExtent(image->GetExtent());
   plain->SetSpacing(image->GetSpacing());

@@ -186,7 +186,7 @@ void Model::Load(Request& request, const Progress& progress)
     wanted.Isovalue = std::clamp(*wanted.Isovalue, range[0], range[1]);
   }
   wanted.Isovalue = ChooseIsovalue(request.Samples, wanted.Isovalue, Quoted(volume.Name)).Value;
-  request.Coloring = ColorArrays(volume.Data);
+  request.Coloring = volume.Bricks ? ColorArrays() : ColorArrays(volume.Data);
   const ArrayColor& color = wanted.Settings.ColorBy;
   if (request.Coloring.Has(color.Name, color.Component))
   {

@@ -125,6 +125,21 @@ public:
       (this->Take(values), ...);
     }
   }
+  // What is off or 0 as a rule has a line only if it is not.
+  void TakeUnlessOff(bool& isOn)
+  {
+    if (this->IsRead || isOn)
+    {
+      this->Take(isOn);
+    }
+  }
+  void TakeUnlessZero(int& number)
+  {
+    if (this->IsRead || number != 0)
+    {
+      this->Take(number, 0, INT_MAX);
+    }
+  }
   void Take(std::vector<Marker>& markers, bool areSurfaces)
   {
     this->TakeRows(markers, [=](Line& row, Marker& marker) { row.Take(marker, areSurfaces); });
@@ -242,6 +257,10 @@ std::vector<Field> FieldsOf(Session& session)
     { "big-endian", [&](Line& line) { line.Take(source.BigEndian); } },
     { "array", [&](Line& line) { line.Take(source.Array); } },
     { "time-step", [&](Line& line) { line.Take(source.TimeStep, 1, INT_MAX); } },
+    { "large", [&](Line& line) { line.TakeUnlessOff(source.IsLarge); } },
+    { "resolution", [&](Line& line) { line.TakeUnlessZero(source.Level); } },
+    { "channel", [&](Line& line) { line.TakeUnlessZero(source.Channel); } },
+    { "memory", [&](Line& line) { line.TakeUnlessZero(source.MemoryMiB); } },
     { "isovalue", [&](Line& line) { line.Take(session.Isovalue); } },
     { "camera-position", [&](Line& line) { line.TakeIf(hasCamera, camera.Position); } },
     { "camera-focal-point", [&](Line& line) { line.TakeIf(hasCamera, camera.FocalPoint); } },

@@ -64,6 +64,11 @@ bool Write(vtkPolyData* triangles, const std::string& path)
 
 vtkSmartPointer<vtkPolyData> TrianglesOf(const Volume& volume, int component, const Look& look)
 {
+  if (volume.Bricks)
+  {
+    throw UserError("Triangles of " + Quoted(volume.Name) +
+      " are not exported, as the volume is read as it is needed; export those of a smaller copy.");
+  }
   const Silence silence; // filters tell of each flat cell
   vtkNew<vtkAppendPolyData> all;
   for (vtkDataSet* set : DataSetsOf(volume.Data))

@@ -75,6 +75,21 @@ std::string ParseAxis(const std::string& option, const std::string& text)
   return axis;
 }
 
+constexpr int MostLevel = 63;
+constexpr int MostMiB = 1 << 30;
+
+// A whole number from 0.
+int ParseIndex(const std::string& option, const std::string& text, int most)
+{
+  int count = 0;
+  if (text != "0" && !IsCount(text, most, count))
+  {
+    throw UserError(option + " takes a whole number from 0 to " + std::to_string(most) + ", not " +
+      Quoted(text) + ".");
+  }
+  return count;
+}
+
 bool IsOption(const std::string& argument)
 {
   double number = 0.0;
@@ -161,6 +176,7 @@ CommandLine::CommandLine(CommonOptions& options)
   CommonOptions& o = this->Options;
   this->Switches = { { "--help", [&o] { o.Help = true; } }, { "-h", [&o] { o.Help = true; } },
     { "--big-endian", [&o] { o.Source.BigEndian = true; } },
+    { "--large", [&o] { o.Source.IsLarge = true; } },
     { "--threshold", [&o] { o.ThresholdMode = true; } } };
   this->Settings = { { "--size", [&o](Text, Text value) { ParseSize(value, o); } },
     { "--spheres",
@@ -170,6 +186,12 @@ CommandLine::CommandLine(CommonOptions& options)
     { "--time-step",
       [&o](Text name, Text value) { o.Source.TimeStep = ParseCount(name, value, INT_MAX); } },
     { "--raw", [&o](Text, Text value) { o.Source.Raw = ParseRaw(value); } },
+    { "--resolution",
+      [&o](Text name, Text value) { o.Source.Level = ParseIndex(name, value, MostLevel); } },
+    { "--channel",
+      [&o](Text name, Text value) { o.Source.Channel = ParseIndex(name, value, INT_MAX); } },
+    { "--memory",
+      [&o](Text name, Text value) { o.Source.MemoryMiB = ParseCount(name, value, MostMiB); } },
     { "--from", [&o](Text name, Text value) { o.From = ParseAxis(name, value); } },
     { "--up", [&o](Text name, Text value) { o.Up = ParseAxis(name, value); } } };
 }
@@ -251,6 +273,10 @@ pages of a file, or files with numbers), a grid (.vtu .vts .vtr .vtm .vth .vtk a
 .pvtu .pvts .pvtr; Exodus .ex2 .exo .e, .cgns and PLOT3D .xyz, xyz.bin where VTK reads them), a list
 of time steps (.pvd .series), a directory with a series of DICOM files or of pictures, or, with --raw,
 a file of bare samples. Without VOLUME four spheres are generated.
+VOLUME may be larger than memory. A folder of OME-Zarr and a file of HDF5 (.ims .h5 .hdf5) are read as
+they are needed; so are raw samples without compression (.mhd .mha .nrrd .nhdr .vti, --raw) and stacks
+that would take more than a quarter of the machine's memory. The first opening reads all once, and
+keeps a file of its value ranges beside the volume.
 ISOVALUE is chosen from the volume's histogram if it is not given.
 )";
 
@@ -268,5 +294,11 @@ const char* const CommonOptionsHelp =
                          samples, type (uchar char ushort short uint int float double) and spacing
                          of a raw file, for example 256,256,110,uchar,1,1,2
   --big-endian           byte order of the raw file; default little endian
+  --large                reads raw samples and stacks as they are needed, whatever their size
+  --resolution N, --channel N
+                         which level of resolution (0: the finest) and which channel (from 0) of
+                         Zarr and HDF5; default 0
+  --memory MIB           memory that samples may take that are read as needed; default 1536. Raw
+                         files are mapped, and take none
   --spheres N            samples along an axis of the generated spheres; default 256
 )";

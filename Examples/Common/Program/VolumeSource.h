@@ -24,6 +24,12 @@ struct VolumeSource
   bool BigEndian = false; // of raw samples
   std::string Array;      // name of what is drawn; empty: chosen
   int TimeStep = 1;       // of the file, from 1
+
+  // Of volumes that are read as they are needed:
+  bool IsLarge = false; // to be read so, whatever the size
+  int Level = 0;        // of resolution; 0 is the finest
+  int Channel = 0;      // from 0
+  int MemoryMiB = 0;    // that samples may take; 0: as usual
 };
 
 #endif

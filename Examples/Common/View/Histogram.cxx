@@ -3,6 +3,7 @@
 #include "View/Histogram.h"
 
 #include "Files/Arrays.h"
+#include "Files/CoarseImage.h"
 #include "Files/Drawn.h"
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
@@ -72,9 +73,9 @@ Histogram CountSamples(const Volume& volume, int component)
 {
   Histogram histogram;
   const std::string name = NameOf(volume);
-  Drawn drawn(volume.Data);
+  Drawn drawn(SamplesInMemory(volume));
   const std::vector<DrawnArray> arrays = drawn.Arrays(volume.Array);
-  histogram.Range = drawn.Range(volume.Array, component);
+  histogram.Range = volume.Bricks ? RangeOf(volume) : drawn.Range(volume.Array, component);
   const std::string others = OthersThan(volume);
   const std::string forRaw = volume.IsRaw ? ", or choose another type for --raw" : "";
   const std::string advice = others.empty() ? "another volume" + forRaw : others;

@@ -26,11 +26,13 @@ QString TextOf(const Model& model)
   const Box& box = model.View.DataBounds();
   const std::array<double, 2>& range = model.Counted().Range;
   const double bytes = 1024.0 * static_cast<double>(volume.Data->GetActualMemorySize());
+  const QString size = QLocale().formattedDataSize(static_cast<qint64>(bytes));
   return QObject::tr("\u200e%1\n%2\nvalues %3 to %4\nx %5 to %6, y %7 to %8, z %9 to %10\n%11")
     .arg(QString::fromStdString(volume.Name), QString::fromStdString(model.Description()),
       Short(range[0]), Short(range[1]), Short(box[0]), Short(box[1]), Short(box[2]), Short(box[3]),
       Short(box[4]))
-    .arg(Short(box[5]), QLocale().formattedDataSize(static_cast<qint64>(bytes)));
+    .arg(
+      Short(box[5]), volume.Bricks ? QObject::tr("%1, read as they are needed").arg(size) : size);
 }
 
 }

@@ -74,7 +74,8 @@ const std::vector<Command>& AllCommands()
   static const std::vector<Command> commands = {
     { "&File", "&Open...", "O; Ctrl+O", "open a volume or a session", Need::Nothing, AskOpen },
     { "&File", "Open &Folder...", "Ctrl+Shift+O",
-      "open a folder with a series of DICOM files, or of pictures", Need::Nothing, AskOpenFolder },
+      "open a folder with a series of DICOM files, of pictures, or of OME-Zarr", Need::Nothing,
+      AskOpenFolder },
     { "&File", "&Save Session", "W; Ctrl+S", "save the session", Need::Data,
       [](W&, B& bench) { bench.SaveSession(bench.SessionFile); } },
     { "&File", "Save Session &As...", "Ctrl+Shift+S", "save the session as another file",

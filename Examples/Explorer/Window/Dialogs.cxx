@@ -86,8 +86,8 @@ void AskOpen(QMainWindow& window, Workbench& bench)
 
 void AskOpenFolder(QMainWindow& window, Workbench& bench)
 {
-  bench.OpenPath(QFileDialog::getExistingDirectory(
-    &window, QObject::tr("Open a folder of DICOM files, or of pictures"), Directory(bench)));
+  bench.OpenPath(QFileDialog::getExistingDirectory(&window,
+    QObject::tr("Open a folder of DICOM files, of pictures, or of OME-Zarr"), Directory(bench)));
 }
 
 void AskLabelNames(QMainWindow& window, Workbench& bench)

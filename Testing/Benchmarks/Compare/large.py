@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a volume larger than memory costs.
+"""What volumes larger than memory cost.
 
-usage: python3 large.py [--isovalue V] [--limit MIB] [--frames N] [--memory] VOLUME
+usage: python3 large.py [--isovalue V] [--limit MIB] [--frames N] [--memory] VOLUME...
 
-VOLUME is anything that vtkTemporalCoherenceBrickSource takes. 1280 x 720 pixels; the volume fills the
-height. Prints in ms of the wall clock: opening (value ranges are found anew, then taken from their
-file); the first picture; medians of N frames (default 20) turned by one degree each, and of N isovalues
-in a still view; and the share of bricks that a turned frame did not have to read. Then the peak of
-resident memory, without pages of mapped files. With --memory the samples are also read into memory as a
-whole, and the same frames are made of them, in turn with the others.
+VOLUMEs are anything that vtkTemporalCoherenceBrickSource takes: the same samples in several formats. 1280 x
+720 pixels; the volume fills the height. Prints in ms of the wall clock, of each volume: opening (value
+ranges are found anew, then taken from their file); the first picture; medians of N frames (default 20)
+turned by one degree each, and of N isovalues in a still view, in turn with the other volumes; bricks that
+were read; and bytes that samples take. Then the resident memory without pages of mapped files. With
+--memory the samples of the first volume, which should be mapped, are also copied into memory as a whole.
 """
 
 from __future__ import annotations
@@ -81,52 +81,73 @@ class View:
         self.renderer.ResetCameraClippingRange(self.volume.GetBounds())
 
 
+class Volume:
+    """A volume, and what drawing it took."""
+
+    def __init__(self, name: str, folder: str, options):
+        self.name = name
+        print(f"{name}: opened, ranges are found {ms(self.source(folder, options).Update):.0f}")
+        self.paged = self.source(folder, options)
+        print(f"{name}: opened again {ms(self.paged.Update):.1f}")
+        assert self.paged.GetHadRanges()
+        self.view = View(lambda mapper: mapper.SetBrickSource(self.paged), options.isovalue)
+        self.turned, self.dragged, self.reads = [], [], []
+
+    def source(self, folder: str, options) -> vtkTemporalCoherenceBrickSource:
+        made = vtkTemporalCoherenceBrickSource()
+        made.SetFileName(self.name)
+        made.SetRangesFolder(folder)
+        made.SetMemoryLimit(options.limit << 20)
+        return made
+
+    def draw(self, times: list) -> None:
+        before = self.paged.GetNumberOfReads()
+        times.append(ms(self.view.draw))
+        self.reads.append(self.paged.GetNumberOfReads() - before)
+
+
+class Copy(Volume):
+    """The samples of a volume, all in memory."""
+
+    def __init__(self, of: Volume, options):
+        self.name = "in memory"
+        self.paged = of.paged
+        self.image = vtkImageData()
+        self.image.DeepCopy(of.paged.GetOutput())
+        self.view = View(lambda mapper: mapper.SetInputData(self.image), options.isovalue)
+        self.turned, self.dragged, self.reads = [], [], []
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("volume")
+    parser.add_argument("volumes", nargs="+")
     parser.add_argument("--isovalue", type=float, default=128.0)
     parser.add_argument("--limit", type=int, default=1536)
     parser.add_argument("--frames", type=int, default=20)
     parser.add_argument("--memory", action="store_true")
     options = parser.parse_args()
-
-    def source(folder: str) -> vtkTemporalCoherenceBrickSource:
-        made = vtkTemporalCoherenceBrickSource()
-        made.SetFileName(options.volume)
-        made.SetRangesFolder(folder)
-        made.SetMemoryLimit(options.limit << 20)
-        return made
-
-    with tempfile.TemporaryDirectory(dir=os.path.dirname(os.path.abspath(options.volume))) as folder:
-        print(f"opened, ranges are found   {ms(source(folder).Update):10.0f}")
-        paged = source(folder)
-        print(f"opened again               {ms(paged.Update):10.1f}")
-        assert paged.GetHadRanges()
-        views = [View(lambda mapper: mapper.SetBrickSource(paged), options.isovalue)]
-        whole = vtkImageData()
+    with tempfile.TemporaryDirectory(dir=os.path.dirname(os.path.abspath(options.volumes[0]))) as folder:
+        volumes = [Volume(name, folder, options) for name in options.volumes]
         if options.memory:
-            whole.DeepCopy(paged.GetOutput())
-            views.append(View(lambda mapper: mapper.SetInputData(whole), options.isovalue))
-        names = ["read when needed", "in memory"]
-        for name, view in zip(names, views):
-            print(f"{name}: first picture {ms(view.draw):10.1f}")
-        reads = paged.GetNumberOfReads()
-        turned = [[] for _ in views]
+            volumes.append(Copy(volumes[0], options))
+        for volume in volumes:
+            first = []
+            volume.draw(first)
+            print(f"{volume.name}: first picture {first[0]:.1f}, bricks read {volume.reads.pop()}")
         for _ in range(options.frames):
-            for times, view in zip(turned, views):
-                view.turn()
-                times.append(ms(view.draw))
-        new = (paged.GetNumberOfReads() - reads) / options.frames
-        dragged = [[] for _ in views]
+            for volume in volumes:
+                volume.view.turn()
+                volume.draw(volume.turned)
         for step in range(options.frames):
-            for times, view in zip(dragged, views):
-                view.values.SetValue(0, options.isovalue + 0.5 * (step + 1))
-                times.append(ms(view.draw))
-        for name, turns, drags in zip(names, turned, dragged):
-            print(f"{name}: turned {statistics.median(turns):.1f} (most {max(turns):.1f}), "
-                  f"dragged {statistics.median(drags):.1f} (most {max(drags):.1f})")
-        print(f"mapped: {paged.GetIsMapped()}; bricks read: first {reads}, {new:.1f} a turned frame; "
-              f"memory of samples {paged.GetMemoryInUse() >> 20} MiB")
+            for volume in volumes:
+                volume.view.values.SetValue(0, options.isovalue + 0.5 * (step + 1))
+                volume.draw(volume.dragged)
+        for volume in volumes:
+            reads = statistics.mean(volume.reads[:options.frames])
+            print(f"{volume.name}: turned {statistics.median(volume.turned):.1f} (most {max(volume.turned):.1f}; "
+                  f"{reads:.0f} bricks read), dragged {statistics.median(volume.dragged):.1f} (most "
+                  f"{max(volume.dragged):.1f}); mapped: {volume.paged.GetIsMapped()}, samples take "
+                  f"{volume.paged.GetMemoryInUse() >> 20} MiB")
     print(f"resident without pages of files: {memory('RssAnon')} MiB now; peak with them {memory('VmHWM')} MiB")
 
 

@@ -410,6 +410,9 @@ void TestMistakes()
   source->SetRawLayout(10, 10, 10, VTK_STRING);
   expectError("SetRawLayout");
 
+  source->SetRawLayout(1, 1, 1, VTK_UNSIGNED_CHAR);
+  expectError("two or more");
+
   // The file becomes shorter after it was opened.
   const auto image = Waves(VTK_SHORT);
   for (const Way way : { Way::Swapped, Way::Mapped })

@@ -38,6 +38,13 @@ std::shared_ptr<OutOfCoreVolume> OutOfCoreVolume::Open(std::shared_ptr<const Vol
   std::shared_ptr<OutOfCoreVolume> volume(new OutOfCoreVolume);
   volume->Source = std::move(file);
   volume->LevelNumber = options.Level;
+  const glm::ivec3& size = volume->Level().Dimensions;
+  if (glm::any(glm::lessThan(size, glm::ivec3(2))))
+  {
+    error = "The volume has " + std::to_string(size.x) + " x " + std::to_string(size.y) + " x " +
+      std::to_string(size.z) + " samples; it needs two or more along each axis.";
+    return nullptr;
+  }
   const std::size_t bytes = SizeOf(volume->Source->Type());
   if (!volume->Mapped())
   {

@@ -104,6 +104,13 @@ std::string Obstacle(const MetaHeader& header)
   {
     return "its data are compressed or no raw bytes";
   }
+  double slope = 1.0, offset = 0.0;
+  if (!ParseNumbers(header.Get({ "ElementToIntensityFunctionSlope" }, "1"), 1, &slope) ||
+    !ParseNumbers(header.Get({ "ElementToIntensityFunctionOffset" }, "0"), 1, &offset) ||
+    slope != 1.0 || offset != 0.0)
+  {
+    return "its samples must be scaled (ElementToIntensityFunction)";
+  }
   double matrix[9];
   if (!ParseNumbers(
         header.Get({ "TransformMatrix", "Rotation", "Orientation" }, "1 0 0 0 1 0 0 0 1"), 9,

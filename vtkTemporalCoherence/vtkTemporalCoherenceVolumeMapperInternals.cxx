@@ -30,6 +30,27 @@ bool IsHeard(vtkTemporalCoherenceVolumeMapper& mapper, vtkRenderWindow* window)
     (window && (window->GetAbortRender() || window->HasObserver(vtkCommand::AbortCheckEvent)));
 }
 
+/// Tell volumes that are read as they are needed that a frame begins.
+void BeginReading(const TemporalCoherence::FrameRequest& request)
+{
+  for (const auto& volume : request.Volumes)
+  {
+    volume->BeginFrame();
+  }
+}
+
+/// Tell them that it ended.
+/// \param error receives what could not be read, unless there is another error
+void EndReading(const TemporalCoherence::FrameRequest& request, std::string& error)
+{
+  const TemporalCoherence::FrameKey& key = request.Key;
+  for (const auto& volume : request.Volumes)
+  {
+    error = error.empty() ? volume->TakeMistake() : error;
+    volume->EndFrame(key.IsBlended() ? std::vector<double>() : key.Isosurfaces().Isovalues);
+  }
+}
+
 /// The time that a frame in a window takes at most to read samples in bricks, if others follow.
 constexpr std::chrono::milliseconds TimeToRead(80);
 
@@ -142,10 +163,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
   options.Fewer = fewer;
   options.Reading = this->ChooseReading(request, window);
   bool isMade = false;
-  for (const auto& read : request.Volumes)
-  {
-    read->BeginFrame();
-  }
+  BeginReading(request);
   {
     const Busy busy(*this);
     isMade = this->Frames.Render(
@@ -162,12 +180,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
       this->LastError.clear();
     }
   }
-  for (const auto& read : request.Volumes)
-  {
-    error = error.empty() ? read->TakeMistake() : error;
-    read->EndFrame(
-      request.Key.IsBlended() ? std::vector<double>() : request.Key.Isosurfaces().Isovalues);
-  }
+  EndReading(request, error);
   this->ReportOnce(error);
   return isMade;
 }

@@ -63,7 +63,7 @@ public:
   void GiveUpAt(std::int64_t time) const { this->Deadline.store(time); }
   static constexpr std::int64_t Patient = -1;
 
-  /// A frame begins: bricks that are used from here on are those of the last frame.
+  /// A frame begins: its bricks count as those of the last frame.
   void BeginFrame() const { this->FrameBegin = ++this->Clock; }
 
   /// Read a missing brick, unless that would drop a brick of the last frame.

@@ -65,7 +65,7 @@ private:
     std::uint64_t Stretch;
   };
 
-  /// What others may know of a thread, and what it knows of itself.
+  /// The bricks of a thread, and its own state.
   struct Thread
   {
     std::mutex Guard; ///< of the list

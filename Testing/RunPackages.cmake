@@ -78,6 +78,7 @@ set(contents_of_libvtktemporalcoherence-dev
   "${cmake_directory}/vtkTemporalCoherenceConfigVersion.cmake"
   include/vtkTemporalCoherence/vtkTemporalCoherenceModule.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceCompatibility.h
+  include/vtkTemporalCoherence/vtkTemporalCoherenceBrickSource.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceDropInMapper.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceGPUVolumeRayCastMapper.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceObjectFactory.h

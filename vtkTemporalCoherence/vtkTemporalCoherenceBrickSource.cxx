@@ -236,6 +236,7 @@ int vtkTemporalCoherenceBrickSource::RequestInformation(
   if (!error.empty())
   {
     this->Inner->File.reset();
+    this->GetOutput()->Initialize();
     vtkErrorMacro(<< error);
     return 0;
   }

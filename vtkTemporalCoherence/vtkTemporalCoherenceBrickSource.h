@@ -28,10 +28,10 @@
  * file belongs to one state of the volume: if the size, the modification time or some samples
  * differ, it is made anew.
  *
- * Samples that cannot be read count as zeros, and the mapper reports an error that names the file.
+ * Samples that cannot be read count as zeros, and each mapper reports an error that names the file.
  *
- * Other filters of VTK can use the image, too. They read the whole volume, though, and if it is not
- * mapped, slowly.
+ * Other filters of VTK can use the image, too, but read the whole volume. If it is not mapped, they
+ * get values one by one, or a copy of all samples.
  *
  * @sa vtkTemporalCoherenceVolumeMapper
  */

@@ -40,15 +40,17 @@ void BeginReading(const TemporalCoherence::FrameRequest& request)
 }
 
 /// Tell them that it ended.
-/// \param error receives what could not be read, unless there is another error
-void EndReading(const TemporalCoherence::FrameRequest& request, std::string& error)
+/// \return what could not be read; empty: all could
+std::string EndReading(const TemporalCoherence::FrameRequest& request)
 {
   const TemporalCoherence::FrameKey& key = request.Key;
+  std::string mistake;
   for (const auto& volume : request.Volumes)
   {
-    error = error.empty() ? volume->TakeMistake() : error;
+    mistake = mistake.empty() ? volume->Mistake() : mistake;
     volume->EndFrame(key.IsBlended() ? std::vector<double>() : key.Isosurfaces().Isovalues);
   }
+  return mistake;
 }
 
 /// The time that a frame in a window takes at most to read samples in bricks, if others follow.
@@ -180,8 +182,13 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
       this->LastError.clear();
     }
   }
-  EndReading(request, error);
+  const std::string mistake = EndReading(request);
   this->ReportOnce(error);
+  if (mistake != this->LastMistake)
+  {
+    this->LastMistake = mistake;
+    this->ReportOnce(mistake);
+  }
   return isMade;
 }
 

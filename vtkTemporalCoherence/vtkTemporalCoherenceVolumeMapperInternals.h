@@ -33,6 +33,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::EmptyPicture Empties;
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;               ///< reported already; empty after a frame without error
+  std::string LastMistake;             ///< in reading samples
   std::string LastSettingError;        ///< of SetWithin; empty after a valid number
   bool HasWarned = false;              ///< of the memory limit
   bool HasWarnedOfDivision = false;    ///< and the error is still large

@@ -18,6 +18,10 @@ from .vtkTemporalCoherence import vtkTemporalCoherenceBrickSource
 _TYPES = {"int8": 15, "uint8": 3, "int16": 4, "uint16": 5, "int32": 6, "uint32": 7, "int64": 16,
           "uint64": 17, "float32": 10, "float64": 11}
 
+#: NumPy's short names, without the byte order.
+_OF_LETTERS = {"i1": "int8", "u1": "uint8", "i2": "int16", "u2": "uint16", "i4": "int32", "u4": "uint32",
+               "i8": "int64", "u8": "uint64", "f4": "float32", "f8": "float64"}
+
 
 def open_volume(
     path: str | os.PathLike | None = None, *, reader: vtkAlgorithm | None = None, level: int = 0,
@@ -39,6 +43,10 @@ def open_volume(
 
     The first opening reads the volume once. Raises OSError if the volume cannot be opened.
     """
+    if level < 0 or channel < 0 or time_point < 0:
+        raise ValueError("level, channel and time_point count from 0.")
+    if memory_limit is not None and memory_limit <= 0:
+        raise ValueError(f"memory_limit must be a positive number of bytes, not {memory_limit}.")
     source = vtkTemporalCoherenceBrickSource()
     if path is not None:
         source.SetFileName(os.fspath(path))
@@ -48,10 +56,14 @@ def open_volume(
     source.SetTimePoint(time_point)
     source.SetArrayName(array)
     if shape is not None:
-        name = getattr(dtype, "__name__", str(dtype))
+        text = getattr(dtype, "__name__", str(dtype))
+        name = _OF_LETTERS.get(text.lstrip("<>=|"), text)
         if name not in _TYPES:
-            raise ValueError(f"Samples may be of the types {', '.join(_TYPES)}, not {name}.")
-        z, y, x = shape
+            raise ValueError(f"Samples may be of the types {', '.join(_TYPES)}, not {text}.")
+        big_endian = big_endian or text.startswith(">")
+        if len(shape) != 3 or not all(float(n).is_integer() for n in shape):
+            raise ValueError(f"shape must be three whole numbers (z, y, x), not {tuple(shape)}.")
+        z, y, x = map(int, shape)
         source.SetRawLayout(x, y, z, _TYPES[name], header_size, big_endian)
         source.SetRawSpacing(*spacing)
     if memory_limit is not None:

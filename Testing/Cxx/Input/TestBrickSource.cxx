@@ -14,10 +14,12 @@
 #include <vtkByteSwap.h>
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
+#include <vtkFlyingEdges3D.h>
 #include <vtkImageReader2.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkTestErrorObserver.h>
 
 #include <cmath>
@@ -278,6 +280,44 @@ void TestWalks()
   }
 }
 
+/// Sizes at which blocks of 16 and 32 cells end.
+void TestSizes()
+{
+  const Folder folder;
+  for (const int n : { 2, 17, 31, 32, 33, 34, 65 })
+  {
+    const int sizes[3][3] = { { n, 40, 37 }, { 40, n, 37 }, { 37, 40, n } };
+    for (const auto& size : sizes)
+    {
+      const auto image = vtkSmartPointer<vtkImageData>::New();
+      image->SetDimensions(size);
+      image->AllocateScalars(VTK_SHORT, 1);
+      auto* const samples = static_cast<short*>(image->GetScalarPointer());
+      for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+      {
+        samples[i] = static_cast<short>(800 + i * 7919 % 700); // no sample is 0
+      }
+      for (const Way way : { Way::Mapped, Way::Swapped })
+      {
+        const fs::path path = folder.Path / (way == Way::Mapped ? "sizes.raw" : "swapped.raw");
+        Write(path, image, way == Way::Swapped);
+        vtkNew<Source> source;
+        source->SetFileName(path.string());
+        source->SetRawLayout(size, VTK_SHORT, 0, IsBigEndian != (way == Way::Swapped));
+        source->SetMemoryLimit(1 << 20);
+        Pair pair(image, source, 1100.0);
+        const std::string what = std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
+          std::to_string(size[2]);
+        pair.ExpectSame(60, 50, what);
+        double range[2], expected[2];
+        source->GetOutput()->GetScalarRange(range);
+        image->GetScalarRange(expected);
+        Expect(range[0] == expected[0] && range[1] == expected[1], what + ": the range of values");
+      }
+    }
+  }
+}
+
 /// Ambient occlusion, shadows, projections and composite volumes.
 void TestOtherPictures()
 {
@@ -323,6 +363,26 @@ void TestOtherFilters()
   vtkNew<vtkImageData> copy;
   copy->DeepCopy(source->GetOutput());
   Expect(AreIdentical(copy, image), "a copy has samples of its own");
+  // Other values in a copy are drawn, not those of the file.
+  static_cast<short*>(copy->GetScalarPointer())[5] = 30000;
+  copy->Modified();
+  Pair pair(image, source, 200.0);
+  auto* const changed = static_cast<short*>(image->GetScalarPointer());
+  changed[5] = 30000;
+  image->Modified();
+  pair.File.Mapper->SetInputData(copy);
+  pair.ExpectSame(60, 50, "a copy with another value");
+  vtkNew<vtkFlyingEdges3D> inCopy, inBricks;
+  inCopy->SetInputData(copy);
+  inCopy->SetValue(0, 200.0);
+  inCopy->Update();
+  inBricks->SetInputConnection(source->GetOutputPort());
+  inBricks->SetValue(0, 200.0);
+  inBricks->Update();
+  Expect(std::abs(inCopy->GetOutput()->GetNumberOfPoints() -
+           inBricks->GetOutput()->GetNumberOfPoints()) < 10 &&
+      inBricks->GetOutput()->GetNumberOfPoints() > 1000,
+    "a filter that asks for the address of samples");
 }
 
 void TestRangesFile()
@@ -436,6 +496,7 @@ void TestMistakes()
 int TestBrickSource(int, char*[])
 {
   TestWalks();
+  TestSizes();
   TestOtherPictures();
   TestOtherFilters();
   TestRangesFile();

@@ -6,6 +6,7 @@
 
 #include "Acceleration/RangeScan.h"
 #include "Bricks/BrickCache.h"
+#include "Bricks/ImpatientWork.h"
 #include "Grid.h"
 #include "Lattice/Waves.h"
 #include "Render/FrameRenderer.h"
@@ -329,8 +330,12 @@ TEST(BrickCacheTest, GivesUpAtATime)
   field.Bricks->GiveUpAt(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());
   EXPECT_EQ(*typed.At(0, 0, 0), 7) << "what is there is given";
   EXPECT_FALSE(SampleUse::HasMissed());
-  EXPECT_EQ(*typed.At(64, 0, 0), 0);
+  {
+    const ImpatientWork here;
+    EXPECT_EQ(*typed.At(64, 0, 0), 0);
+  }
   EXPECT_TRUE(SampleUse::HasMissed());
+  EXPECT_EQ(*typed.At(32, 0, 0), 7) << "other work waits";
   SampleUse::Renew();
   EXPECT_FALSE(SampleUse::HasMissed());
   field.Bricks->GiveUpAt(BrickCache::Patient);

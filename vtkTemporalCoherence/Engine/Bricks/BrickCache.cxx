@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bricks/BrickCache.h"
 
+#include "Bricks/ImpatientWork.h"
+
 #include <algorithm>
 #include <chrono>
 #include <new>
@@ -17,6 +19,23 @@ constexpr std::size_t ShareToDrop = 16;
 
 constexpr std::size_t MostAwaited = 1 << 16;
 
+thread_local int DepthOfImpatience = 0;
+
+}
+
+ImpatientWork::ImpatientWork()
+{
+  ++DepthOfImpatience;
+}
+
+ImpatientWork::~ImpatientWork()
+{
+  --DepthOfImpatience;
+}
+
+bool ImpatientWork::IsHere()
+{
+  return DepthOfImpatience > 0;
 }
 
 BrickCache::BrickCache(
@@ -63,7 +82,7 @@ void BrickCache::SetLimit(std::size_t bytes) const
 bool BrickCache::IsTooLate() const
 {
   const std::int64_t deadline = this->Deadline.load();
-  return deadline != Patient &&
+  return deadline != Patient && ImpatientWork::IsHere() &&
     std::chrono::steady_clock::now().time_since_epoch() >= std::chrono::nanoseconds(deadline);
 }
 

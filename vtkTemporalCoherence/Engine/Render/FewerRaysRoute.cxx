@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Bricks/ImpatientWork.h"
 #include "Render/ColdTiles.h"
 #include "Render/GridKey.h"
 #include "Render/RayGrid.h"
@@ -124,6 +125,7 @@ bool TraceWorst(FrameTask& task, const ReportProgress& report, const TileWork& w
     const auto goOn = [&]() { return (!areFewer || fewer.HasTime()) && reading.GoesOn(); };
     const auto trace = [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {
+      const ImpatientWork here;
       const TraceCounts counts = work(tile, part, frame);
       isTraced[static_cast<std::size_t>(tile)] = !SampleUse::HasMissed();
       return counts;

@@ -8,7 +8,6 @@
 #include "Input/FieldFromImage.h"
 #include "Input/SampleMask.h"
 #include "Input/ScalarChoice.h"
-#include "OutOfCore/OutOfCoreVolume.h"
 #include "Scene/ArrayLooks.h"
 #include "Scene/Field.h"
 #include "Scene/Progress.h"
@@ -85,8 +84,6 @@ struct PlacedField
 
   /// Keeps the arrays alive if an observer changes the mapper's input meanwhile.
   std::vector<vtkSmartPointer<vtkObjectBase>> Read;
-  /// Volumes that these arrays are read from when samples are needed.
-  std::vector<std::shared_ptr<const OutOfCoreVolume>> Volumes;
 };
 
 /// The values of an array that gives surfaces their colours.

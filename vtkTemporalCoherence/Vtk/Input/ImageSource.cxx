@@ -126,10 +126,6 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
   field.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
   field.Told = ToldChanges(found.Array, field.Samples.Dimensions);
   field.Read.emplace_back(found.Array);
-  if (const auto volume = VolumeOf(found.Array))
-  {
-    field.Volumes.push_back(volume);
-  }
   return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include "OutOfCore/OutOfCoreVolume.h"
 #include "OutOfCore/VolumeOfArray.h"
+#include "Scene/DefaultInitAllocator.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkGenericDataArray.h>
@@ -11,6 +12,9 @@
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <new>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -53,6 +57,27 @@ public:
   ValueType GetTypedComponent(vtkIdType tuple, int) const { return this->GetValue(tuple); }
   void GetTypedTuple(vtkIdType index, ValueType* tuple) const { *tuple = this->GetValue(index); }
 
+  /// The address of a copy of all samples, for filters that must have one. It is made once.
+  void* GetVoidPointer(vtkIdType index) override
+  {
+    try
+    {
+      if (this->Whole.empty())
+      {
+        this->Whole.resize(static_cast<std::size_t>(this->Size));
+        this->Volume->ReadAll(this->Whole.data());
+      }
+      return this->Whole.data() + index;
+    }
+    catch (const std::bad_alloc&)
+    {
+      vtkErrorMacro("There is not enough memory for all "
+        << this->Size
+        << " samples, whose address a filter asks for; use a coarser level of the volume.");
+      return nullptr;
+    }
+  }
+
   void SetValue(vtkIdType, ValueType) { this->Refuse(); }
   void SetTypedComponent(vtkIdType, int, ValueType) { this->Refuse(); }
   void SetTypedTuple(vtkIdType, const ValueType*) { this->Refuse(); }
@@ -88,6 +113,7 @@ private:
   }
 
   std::shared_ptr<const OutOfCoreVolume> Volume;
+  std::vector<ValueType, DefaultInitAllocator<ValueType>> Whole; ///< empty: nobody asked for it
 };
 
 template <typename T>

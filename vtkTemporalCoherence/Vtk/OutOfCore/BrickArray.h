@@ -20,8 +20,9 @@ namespace TemporalCoherence
 class OutOfCoreVolume;
 
 /// An array of VTK for the samples of a volume that are read when they are needed. Its values
-/// cannot be changed. Of a mapped volume it is an ordinary array, in place. Any other has no
-/// address: filters of VTK that ask for values, one at a time, get them, if slowly.
+/// cannot be changed. Of a mapped volume it is an ordinary array, in place. Any other gives
+/// values one by one, slowly. A filter that asks for its address gets that of a copy of all
+/// samples.
 vtkSmartPointer<vtkDataArray> MakeArray(const std::shared_ptr<const OutOfCoreVolume>& volume);
 
 /// A copy of the small field that stands in for a volume (OutOfCoreVolume::Coarse), where it lies;

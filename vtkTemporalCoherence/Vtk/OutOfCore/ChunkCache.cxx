@@ -16,7 +16,7 @@ ChunkCache::ChunkCache(std::shared_ptr<const VolumeFile> file, std::size_t level
   , Limit(limit)
 {
   constexpr std::size_t most = 8; // about as many as are read at a time
-  this->Spare->Free.reserve(most);
+  this->Spare->Free.reserve(std::clamp(limit / this->BytesOfChunk, std::size_t(1), most));
 }
 
 std::shared_ptr<const std::byte> ChunkCache::Get(const glm::ivec3& chunk)
@@ -48,7 +48,8 @@ std::shared_ptr<const std::byte> ChunkCache::Get(const glm::ivec3& chunk)
     lock.lock();
     if (!error.empty())
     {
-      this->FirstMistake = this->Mistakes++ == 0 ? error : this->FirstMistake;
+      this->FirstMistake = this->Unreadable.empty() ? error : this->FirstMistake;
+      this->Unreadable.insert(number);
     }
     this->LastUsed.push_front(number);
     this->Chunks[number] = { samples, this->LastUsed.begin() };
@@ -128,6 +129,8 @@ void ChunkCache::SetLimit(std::size_t limit)
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Limit = limit;
   this->Drop(limit);
+  const std::lock_guard<std::mutex> lockSpare(this->Spare->Guard);
+  this->Spare->Free.clear();
 }
 
 std::string ChunkCache::Mistake() const
@@ -136,16 +139,17 @@ std::string ChunkCache::Mistake() const
   return this->FirstMistake;
 }
 
-std::int64_t ChunkCache::NumberOfMistakes() const
+std::size_t ChunkCache::NumberOfMistakes() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
-  return this->Mistakes;
+  return this->Unreadable.size();
 }
 
 std::size_t ChunkCache::MemoryInBytes() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
-  return this->LastUsed.size() * this->BytesOfChunk;
+  const std::lock_guard<std::mutex> lockSpare(this->Spare->Guard);
+  return (this->LastUsed.size() + this->Spare->Free.size()) * this->BytesOfChunk;
 }
 
 }

@@ -11,6 +11,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -39,7 +40,7 @@ public:
   std::string Mistake() const;
 
   /// How many chunks could not be read.
-  std::int64_t NumberOfMistakes() const;
+  std::size_t NumberOfMistakes() const;
 
   std::size_t MemoryInBytes() const;
 
@@ -73,7 +74,7 @@ private:
   std::unordered_map<std::int64_t, Held> Chunks;
   std::list<std::int64_t> LastUsed; ///< of chunks that are there, the newest first
   std::string FirstMistake;
-  std::int64_t Mistakes = 0;
+  std::set<std::int64_t> Unreadable; ///< chunks
 };
 
 }

@@ -17,10 +17,6 @@ namespace TemporalCoherence
 
 #ifdef _WIN32
 
-std::shared_ptr<const FileRoom> FileRoom::Open(const std::string&)
-{
-  return nullptr;
-}
 std::shared_ptr<FileRoom> FileRoom::Create(const std::string&, std::size_t)
 {
   return nullptr;
@@ -36,20 +32,6 @@ bool FileRoom::Keep()
 }
 
 #else
-
-std::shared_ptr<const FileRoom> FileRoom::Open(const std::string& path)
-{
-  const std::shared_ptr<FileRoom> room(new FileRoom);
-  room->Descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat facts = {};
-  if (room->Descriptor < 0 || fstat(room->Descriptor, &facts) != 0 || !S_ISREG(facts.st_mode) ||
-    facts.st_size <= 0)
-  {
-    return nullptr;
-  }
-  room->Length = static_cast<std::size_t>(facts.st_size);
-  return room->Map(PROT_READ) ? room : nullptr;
-}
 
 std::shared_ptr<FileRoom> FileRoom::Create(const std::string& path, std::size_t bytes)
 {
@@ -69,18 +51,14 @@ std::shared_ptr<FileRoom> FileRoom::Create(const std::string& path, std::size_t 
   {
     return nullptr;
   }
-  return room->Map(PROT_READ | PROT_WRITE) ? room : nullptr;
-}
-
-bool FileRoom::Map(int protection)
-{
-  void* const address = mmap(nullptr, this->Length, protection, MAP_SHARED, this->Descriptor, 0);
+  void* const address =
+    mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, room->Descriptor, 0);
   if (address == MAP_FAILED)
   {
-    return false;
+    return nullptr;
   }
-  this->Bytes = static_cast<std::byte*>(address);
-  return true;
+  room->Bytes = static_cast<std::byte*>(address);
+  return room;
 }
 
 FileRoom::~FileRoom()

@@ -15,10 +15,6 @@ namespace TemporalCoherence
 class FileRoom
 {
 public:
-  /// Map a file that is there, for reading.
-  /// \return null if it cannot be read
-  static std::shared_ptr<const FileRoom> Open(const std::string& path);
-
   /// Make a file for writing. Its space on the disk is reserved, so a full disk
   /// cannot stop the writing. Without Keep() the file is deleted.
   /// \param path name of the finished file
@@ -30,8 +26,6 @@ public:
   FileRoom& operator=(const FileRoom&) = delete;
 
   std::byte* Data() { return this->Bytes; }
-  const std::byte* Data() const { return this->Bytes; }
-  std::size_t Size() const { return this->Length; }
 
   /// Write bytes behind the mapped ones.
   bool Append(const void* bytes, std::size_t count);
@@ -41,7 +35,6 @@ public:
 
 private:
   FileRoom() = default;
-  bool Map(int protection);
 
   std::string Name, Unfinished;
   int Descriptor = -1;

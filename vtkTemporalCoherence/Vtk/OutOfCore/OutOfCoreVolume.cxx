@@ -51,7 +51,7 @@ std::shared_ptr<OutOfCoreVolume> OutOfCoreVolume::Open(std::shared_ptr<const Vol
     volume->Chunks = std::make_shared<ChunkCache>(
       volume->Source, options.Level, options.MemoryLimit / OneOfChunks);
   }
-  if (!volume->FindRanges(options, report, error))
+  if (!volume->FindRanges(options, report))
   {
     return nullptr;
   }
@@ -74,18 +74,15 @@ OutOfCoreVolume::~OutOfCoreVolume()
   this->SetMemoryLimit(0);
 }
 
-bool OutOfCoreVolume::FindRanges(
-  const OutOfCoreOptions& options, const ReportProgress& report, std::string& error)
+bool OutOfCoreVolume::FindRanges(const OutOfCoreOptions& options, const ReportProgress& report)
 {
-  const std::uint64_t hash = HashOf(*this->Source, this->LevelNumber, error);
-  if (hash == 0)
-  {
-    return false;
-  }
+  const std::uint64_t hash = HashOf(*this->Source, this->LevelNumber);
   const ScalarType type = this->Source->Type();
   const glm::ivec3& dimensions = this->Level().Dimensions;
-  RangesFile file(options.RangesPaths, hash, type, dimensions);
-  this->Known = file.Load();
+  // Without an identity, another volume could have the same hash.
+  RangesFile file(this->Source->HasIdentity() ? options.RangesPaths : std::vector<std::string>(),
+    hash, type, dimensions);
+  this->Known = file.Load(this->RangesInFile);
   this->WereKnown = this->AreKept = this->Known != nullptr;
   if (this->Known)
   {
@@ -99,10 +96,15 @@ bool OutOfCoreVolume::FindRanges(
     return false;
   }
   this->Known = std::make_shared<const KnownRanges>(*found);
-  error = this->TakeMistake();
-  // After a mistake the ranges may be wrong: no file keeps them.
-  this->AreKept = error.empty() && file.Finish(*this->Known);
-  return error.empty();
+  // After a mistake the ranges may be wrong: no file keeps them. Frames tell the mistake.
+  this->AreKept = this->Mistake().empty() && file.Finish(*this->Known);
+  if (this->AreKept)
+  {
+    // Guarded against a file that becomes shorter.
+    const auto kept = file.Load(this->RangesInFile);
+    this->Known = kept ? kept : this->Known;
+  }
+  return true;
 }
 
 void OutOfCoreVolume::SetMemoryLimit(std::size_t bytes) const
@@ -178,23 +180,29 @@ void OutOfCoreVolume::EndFrame(const std::vector<double>& isovalues) const
   this->Ahead->Want(std::move(ahead));
 }
 
-std::string OutOfCoreVolume::TakeMistake() const
+void OutOfCoreVolume::ReadAll(void* samples) const
+{
+  const glm::ivec3& size = this->Level().Dimensions;
+  ChunkBricks(*this->Chunks, SizeOf(this->Source->Type()))
+    .Read(glm::ivec3(0), size, samples, { size.x, static_cast<std::int64_t>(size.x) * size.y });
+}
+
+std::string OutOfCoreVolume::Mistake() const
 {
   std::string mistake;
   if (this->Source->HasFailed(mistake))
   {
     return mistake;
   }
-  const std::int64_t count = this->Chunks ? this->Chunks->NumberOfMistakes() : 0;
-  if (count > this->ToldMistakes)
+  if (this->RangesInFile && this->RangesInFile->IsBroken())
   {
-    mistake = this->Chunks->Mistake();
-    mistake += count - this->ToldMistakes > 1
-      ? " So it is with " + std::to_string(count - this->ToldMistakes - 1) + " others."
-      : "";
-    this->ToldMistakes = count;
+    return "The file with value ranges of the volume cannot be read to its end; open the volume "
+           "again.";
   }
-  return mistake;
+  const std::size_t count = this->Chunks ? this->Chunks->NumberOfMistakes() : 0;
+  return count == 0
+    ? mistake
+    : this->Chunks->Mistake() + (count > 1 ? " Other chunks cannot be read, either." : "");
 }
 
 std::size_t OutOfCoreVolume::MemoryInBytes() const

@@ -9,6 +9,7 @@
 #include "Scene/KnownRanges.h"
 #include "Scene/Progress.h"
 #include "Scene/StandIn.h"
+#include "VolumeFiles/MappedFile.h"
 #include "VolumeFiles/VolumeFile.h"
 
 #include <cstddef>
@@ -76,16 +77,20 @@ public:
   /// \param isovalues only bricks that these pass through
   void EndFrame(const std::vector<double>& isovalues) const;
 
-  /// The mistakes in reading since the last call; empty: no mistakes.
-  std::string TakeMistake() const;
+  /// Read all samples of a volume in bricks.
+  /// \param samples room for them, x fastest
+  /// \throws std::bad_alloc
+  void ReadAll(void* samples) const;
+
+  /// The mistakes in reading until now; empty: no mistakes.
+  std::string Mistake() const;
 
   /// Bytes of samples in memory that this volume holds. Mapped ones do not count.
   std::size_t MemoryInBytes() const;
 
 private:
   OutOfCoreVolume() = default;
-  bool FindRanges(
-    const OutOfCoreOptions& options, const ReportProgress& report, std::string& error);
+  bool FindRanges(const OutOfCoreOptions& options, const ReportProgress& report);
   bool MayHold(std::int64_t brick, const std::vector<double>& isovalues) const;
 
   std::shared_ptr<const VolumeFile> Source;
@@ -95,7 +100,7 @@ private:
   std::shared_ptr<const KnownRanges> Known;
   std::shared_ptr<const StandIn> Stand;
   bool WereKnown = false, AreKept = false;
-  mutable std::int64_t ToldMistakes = 0;
+  std::shared_ptr<const MappedFile> RangesInFile; ///< null: the ranges are in memory
   std::unique_ptr<ReadAhead> Ahead;
 };
 

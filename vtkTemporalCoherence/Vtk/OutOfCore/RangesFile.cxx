@@ -6,6 +6,7 @@
 #include "OutOfCore/FileRoom.h"
 #include "OutOfCore/SampleHash.h"
 #include "Scene/CellBlocks.h"
+#include "VolumeFiles/RandomAccessFile.h"
 
 #include <cstring>
 #include <sstream>
@@ -20,7 +21,7 @@ namespace
 /// Bytes of text at the beginning of the file.
 constexpr std::size_t HeadSize = 4096;
 
-constexpr const char* Begin = "vtkTemporalCoherence value ranges 1 ";
+constexpr const char* Begin = "vtkTemporalCoherence value ranges 2 ";
 
 constexpr std::uint32_t Order = 0x01020304u; ///< tells the byte order of the machine
 
@@ -101,11 +102,11 @@ std::uint64_t RangesFile::HashOfRest(
   return HashOf(withNaN.data(), withNaN.size() * sizeof(std::uint64_t), hash);
 }
 
-std::shared_ptr<const KnownRanges> RangesFile::Load() const
+std::shared_ptr<const KnownRanges> RangesFile::Load(std::shared_ptr<const MappedFile>& mapped) const
 {
   for (const std::string& path : this->Paths)
   {
-    if (auto known = this->LoadFrom(path))
+    if (auto known = this->LoadFrom(path, mapped))
     {
       return known;
     }
@@ -113,10 +114,18 @@ std::shared_ptr<const KnownRanges> RangesFile::Load() const
   return nullptr;
 }
 
-std::shared_ptr<const KnownRanges> RangesFile::LoadFrom(const std::string& path) const
+std::shared_ptr<const KnownRanges> RangesFile::LoadFrom(
+  const std::string& path, std::shared_ptr<const MappedFile>& mapped) const
 {
-  const std::shared_ptr<const FileRoom> file = FileRoom::Open(path);
-  if (!file || file->Size() < HeadSize + this->Bytes())
+  std::string ignored;
+  const auto opened = RandomAccessFile::Open(path, ignored);
+  if (!opened || opened->Size() < HeadSize + this->Bytes())
+  {
+    return nullptr;
+  }
+  const std::uint64_t size = opened->Size();
+  const std::shared_ptr<const MappedFile> file = MappedFile::Map(*opened, size);
+  if (!file)
   {
     return nullptr;
   }
@@ -134,7 +143,7 @@ std::shared_ptr<const KnownRanges> RangesFile::LoadFrom(const std::string& path)
     return nullptr;
   }
   const std::size_t words = head.HasNaN ? NodesOf(this->Dimensions) : 0;
-  if (file->Size() != HeadSize + this->Bytes() + words * sizeof(std::uint64_t))
+  if (size != HeadSize + this->Bytes() + words * sizeof(std::uint64_t))
   {
     return nullptr;
   }
@@ -153,6 +162,7 @@ std::shared_ptr<const KnownRanges> RangesFile::LoadFrom(const std::string& path)
   {
     return nullptr;
   }
+  mapped = file;
   return std::make_shared<const KnownRanges>(std::move(known));
 }
 

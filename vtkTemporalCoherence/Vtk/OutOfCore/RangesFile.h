@@ -6,6 +6,7 @@
 #include "OutOfCore/FileRoom.h"
 #include "Scene/KnownRanges.h"
 #include "Scene/ScalarType.h"
+#include "VolumeFiles/MappedFile.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,8 +34,9 @@ public:
     const glm::ivec3& dimensions);
 
   /// The ranges in the file; null: the file holds no ranges of this volume.
+  /// \param mapped receives the mapped file
   /// \throws std::bad_alloc
-  std::shared_ptr<const KnownRanges> Load() const;
+  std::shared_ptr<const KnownRanges> Load(std::shared_ptr<const MappedFile>& mapped) const;
 
   /// Room for new ranges: in a file, or in memory if no folder allows a file.
   /// \throws std::bad_alloc
@@ -49,7 +51,8 @@ private:
   std::uint64_t HashOfRest(
     const std::byte* ranges, const std::vector<std::uint64_t>& withNaN) const;
 
-  std::shared_ptr<const KnownRanges> LoadFrom(const std::string& path) const;
+  std::shared_ptr<const KnownRanges> LoadFrom(
+    const std::string& path, std::shared_ptr<const MappedFile>& mapped) const;
 
   std::vector<std::string> Paths;
   std::uint64_t Hash;

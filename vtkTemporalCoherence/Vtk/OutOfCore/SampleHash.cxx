@@ -30,7 +30,7 @@ std::uint64_t HashOf(const void* bytes, std::size_t count, std::uint64_t seed)
   return hash ^ count;
 }
 
-std::uint64_t HashOf(const VolumeFile& file, std::size_t level, std::string& error)
+std::uint64_t HashOf(const VolumeFile& file, std::size_t level)
 {
   const VolumeLevel& shape = file.Levels()[level];
   const std::string identity = file.Identity();
@@ -45,13 +45,14 @@ std::uint64_t HashOf(const VolumeFile& file, std::size_t level, std::string& err
   {
     const std::int64_t chunk = (2 * i + 1) * chunks / (2 * count);
     const glm::ivec3 place(chunk % grid.x, chunk / grid.x % grid.y, chunk / grid.x / grid.y);
-    if (!file.ReadChunk(level, place, samples.get(), error))
+    std::string ignored; // frames tell it
+    if (!file.ReadChunk(level, place, samples.get(), ignored))
     {
-      return 0;
+      std::fill_n(samples.get(), bytes, std::byte(0));
     }
     hash = HashOf(samples.get(), bytes, hash);
   }
-  return std::max(hash, std::uint64_t(1));
+  return hash;
 }
 
 }

@@ -16,11 +16,9 @@ namespace TemporalCoherence
 std::uint64_t HashOf(const void* bytes, std::size_t count, std::uint64_t seed = 0);
 
 /// A hash of what tells a volume from others: its identity, its shape, and the samples of a few
-/// chunks spread over it.
-/// \param error receives what is wrong if a chunk cannot be read
-/// \return 0 on error
+/// chunks spread over it. Unreadable chunks count as zeros.
 /// \throws std::bad_alloc
-std::uint64_t HashOf(const VolumeFile& file, std::size_t level, std::string& error);
+std::uint64_t HashOf(const VolumeFile& file, std::size_t level);
 
 }
 

@@ -76,10 +76,12 @@ public:
   Field Read(const glm::ivec2& first, const glm::ivec2& count)
   {
     const glm::ivec3 begin(0, NodeSize * first.x, NodeSize * first.y);
-    const int endOfRows = std::min(begin.y + NodeSize * count.x, this->Size.y);
-    const int end = std::min(begin.z + NodeSize * count.y + 1, this->Size.z);
+    // The last nodes also have the last samples.
+    const bool isLast = first.x + count.x == this->Nodes.y;
+    const bool isLastSlice = first.y + count.y == this->Nodes.z;
+    const int endOfRows = isLast ? this->Size.y : begin.y + NodeSize * count.x;
+    const int end = isLastSlice ? this->Size.z : begin.z + NodeSize * count.y + 1;
     const glm::ivec3 read(this->Size.x, endOfRows - begin.y, end - begin.z);
-    const bool isLast = endOfRows == this->Size.y;
     const int rows = read.y + (isLast ? 0 : 1);
     const glm::i64vec3 strides(1, this->Size.x, static_cast<std::int64_t>(this->Size.x) * rows);
     this->ReadChunks(begin, read, { strides.y, strides.z });
@@ -93,7 +95,7 @@ public:
         std::copy_n(beyond, row, slice + static_cast<std::size_t>(read.y) * row);
       }
       // The last slice also belongs to the next slab, which needs the old row.
-      if (z < NodeSize * count.y)
+      if (z < NodeSize * count.y || isLastSlice)
       {
         std::copy_n(slice, row, beyond);
       }

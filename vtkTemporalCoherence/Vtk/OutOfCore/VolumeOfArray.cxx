@@ -30,6 +30,7 @@ public:
   }
 
   std::shared_ptr<const OutOfCoreVolume> Volume;
+  const vtkDataArray* Array = nullptr; ///< copies of an array share its information
 };
 
 vtkStandardNewMacro(VolumeHolder);
@@ -40,6 +41,7 @@ void SetVolume(vtkDataArray* array, const std::shared_ptr<const OutOfCoreVolume>
 {
   const auto holder = vtkSmartPointer<VolumeHolder>::New();
   holder->Volume = volume;
+  holder->Array = array;
   array->GetInformation()->Set(VolumeHolder::Key(), holder);
 }
 
@@ -48,7 +50,7 @@ std::shared_ptr<const OutOfCoreVolume> VolumeOf(vtkDataArray* array)
   const auto* const holder = array && array->HasInformation()
     ? VolumeHolder::SafeDownCast(array->GetInformation()->Get(VolumeHolder::Key()))
     : nullptr;
-  return holder ? holder->Volume : nullptr;
+  return holder && holder->Array == array ? holder->Volume : nullptr;
 }
 
 bool AreInBricks(vtkDataArray* array)

@@ -89,15 +89,19 @@ fs::path CacheFolder()
 
 }
 
-std::shared_ptr<const VolumeFile> OpenVolume(const VolumeRequest& request, std::string& error)
+std::shared_ptr<const VolumeFile> OpenVolume(const VolumeRequest& asked, std::string& error)
 {
-  if (request.Reader)
+  if (asked.Reader)
   {
-    return OpenReader(request.Reader, request.Choice.Array, error);
+    return OpenReader(asked.Reader, asked.Choice.Array, error);
   }
-  const fs::path path(request.Path);
-  const std::string extension = ExtensionOf(path);
+  // One name for a volume, from wherever it is opened: its value ranges are kept under it.
   std::error_code ignored;
+  VolumeRequest request = asked;
+  const fs::path path =
+    asked.Path.empty() ? fs::path() : fs::absolute(asked.Path, ignored).lexically_normal();
+  request.Path = path.string();
+  const std::string extension = ExtensionOf(path);
   if (request.Path.empty())
   {
     error = "There is no volume; call SetFileName or SetReader.";

@@ -37,7 +37,7 @@ struct VolumeRequest
 /// \param error receives what is wrong, in one sentence
 /// \return null on error
 /// \throws std::bad_alloc
-std::shared_ptr<const VolumeFile> OpenVolume(const VolumeRequest& request, std::string& error);
+std::shared_ptr<const VolumeFile> OpenVolume(const VolumeRequest& asked, std::string& error);
 
 /// Where the value ranges of a volume may be kept: the best place first.
 /// \param path   of the volume; empty if a reader gives it

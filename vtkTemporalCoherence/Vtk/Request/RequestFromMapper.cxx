@@ -3,11 +3,13 @@
 #include "Request/RequestFromMapper.h"
 
 #include "Input/SettingCheck.h"
+#include "OutOfCore/VolumeOfArray.h"
 #include "Request/AppearanceFromVolume.h"
 #include "Request/GradientOpacityFromVolume.h"
 #include "Request/RegionFromMapper.h"
 #include "Request/ViewFromRenderer.h"
 
+#include <vtkDataArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
@@ -16,6 +18,8 @@
 #include <exception>
 #include <optional>
 #include <sstream>
+
+#include <algorithm>
 
 namespace TemporalCoherence
 {
@@ -90,6 +94,25 @@ void SetMutualLight(const PictureSettings& settings, FrameKey& key)
 
 }
 
+namespace
+{
+
+/// Find the volumes that the arrays of a request are read from.
+void FindVolumes(FrameRequest& request)
+{
+  for (const vtkSmartPointer<vtkObjectBase>& read : request.Read)
+  {
+    const auto volume = VolumeOf(vtkDataArray::SafeDownCast(read));
+    if (volume &&
+      std::find(request.Volumes.begin(), request.Volumes.end(), volume) == request.Volumes.end())
+    {
+      request.Volumes.push_back(volume);
+    }
+  }
+}
+
+}
+
 bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& settings,
   vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error,
   const ReportProgress& report)
@@ -146,6 +169,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
         this->MakeArrayLooks(
           settings, volume, sight.Renderer != nullptr, drawn.OfProperty, request, error)));
   this->IsMakingField = false;
+  FindVolumes(request);
   SetMutualLight(settings, key);
   return isMade && (!isBlended || this->FinishBlending(settings, volume, drawn, key, error));
 }
@@ -297,7 +321,6 @@ bool RequestFromMapper::MakeScene(
   request.Cells = field.Cells;
   request.Told = field.Told;
   request.Read = field.Read;
-  request.Volumes = field.Volumes;
   return true;
 }
 

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_RequestFromMapper_h
 #define TemporalCoherence_RequestFromMapper_h
 
+#include "OutOfCore/OutOfCoreVolume.h"
 #include "Request/ArrayLooksFromVolume.h"
 #include "Request/BlendingFromVolume.h"
 #include "Request/FieldFromMapper.h"

@@ -78,7 +78,7 @@ bool Repair(std::uintptr_t address)
     {
       range.Broken.store(true);
       const std::uintptr_t page = address & ~(PageSize - 1);
-      return ::mmap(reinterpret_cast<void*>(page), end - page, PROT_READ,
+      return ::mmap(reinterpret_cast<void*>(page), end - page, PROT_READ | PROT_WRITE,
                MAP_FIXED | MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED;
     }
   }

@@ -36,7 +36,8 @@ std::unique_ptr<MappedFile> MappedFile::Map(const RandomAccessFile& file, std::u
   }
   std::unique_ptr<MappedFile> mapped(new MappedFile);
   mapped->Bytes = static_cast<std::size_t>(bytes);
-  void* begin = ::mmap(nullptr, mapped->Bytes, PROT_READ, MAP_SHARED, file.Descriptor(), 0);
+  void* begin = ::mmap(nullptr, mapped->Bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_NORESERVE,
+    file.Descriptor(), 0);
   if (begin == MAP_FAILED)
   {
     return nullptr;

@@ -71,6 +71,7 @@ public:
     std::size_t level, const glm::ivec3& chunk, void* samples, std::string& error) const override;
 
   std::string Identity() const override { return this->Facts; }
+  bool HasIdentity() const override { return !FilesOf(this->Reader).empty(); }
 
 private:
   bool ReadFirst(std::string& error);

@@ -81,6 +81,9 @@ public:
   /// times of files, and what was chosen.
   virtual std::string Identity() const = 0;
 
+  /// False if the identity does not tell this volume from others: a reader may have no file.
+  virtual bool HasIdentity() const { return true; }
+
 protected:
   VolumeFile() = default;
   VolumeFile(const VolumeFile&) = default;

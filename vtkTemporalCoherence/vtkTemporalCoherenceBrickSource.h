@@ -30,8 +30,8 @@
  *
  * Samples that cannot be read count as zeros, and each mapper reports an error that names the file.
  *
- * Other filters of VTK can use the image, too, but read the whole volume. If it is not mapped, they
- * get values one by one, or a copy of all samples.
+ * Other filters of VTK can use the image, too, but read the whole volume. Without a mapped
+ * file, filters get values one by one, or a copy of all samples.
  *
  * @sa vtkTemporalCoherenceVolumeMapper
  */

@@ -57,7 +57,7 @@ public:
   ValueType GetTypedComponent(vtkIdType tuple, int) const { return this->GetValue(tuple); }
   void GetTypedTuple(vtkIdType index, ValueType* tuple) const { *tuple = this->GetValue(index); }
 
-  /// The address of a copy of all samples, for filters that must have one. It is made once.
+  /// The address of a copy of all samples: some filters ask for it. The copy is made once.
   void* GetVoidPointer(vtkIdType index) override
   {
     try

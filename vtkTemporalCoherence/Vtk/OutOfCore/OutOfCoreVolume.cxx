@@ -79,7 +79,7 @@ bool OutOfCoreVolume::FindRanges(const OutOfCoreOptions& options, const ReportPr
   const std::uint64_t hash = HashOf(*this->Source, this->LevelNumber);
   const ScalarType type = this->Source->Type();
   const glm::ivec3& dimensions = this->Level().Dimensions;
-  // Without an identity, another volume could have the same hash.
+  // Two readers without files may have equal hashes: no file keeps their ranges.
   RangesFile file(this->Source->HasIdentity() ? options.RangesPaths : std::vector<std::string>(),
     hash, type, dimensions);
   this->Known = file.Load(this->RangesInFile);

@@ -14,9 +14,8 @@ namespace TemporalCoherence
 
 class RandomAccessFile;
 
-/// The first bytes of a file, at addresses in memory. What is written there does not reach the
-/// file. The system reads pages when
-/// they are needed, and drops them when memory is short.
+/// The first bytes of a file, at addresses in memory. Writing changes memory only, not the file.
+/// The system reads pages when they are needed, and drops them when memory is short.
 class MappedFile
 {
 public:

@@ -151,8 +151,8 @@ public:
   /**
    * Get a small image in memory that tells what the volume holds, for histograms and overviews: a
    * coarser level of at most four million samples, or else the middles of the value ranges of
-   * blocks. It lies where the volume lies. Call Update() before. Null: the volume itself is small, or
-   * missing.
+   * blocks. It lies where the volume lies. Call Update() before. Null: the volume itself is small,
+   * or missing.
    */
   vtkImageData* GetCoarseImage();
 

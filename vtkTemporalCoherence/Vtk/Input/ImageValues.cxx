@@ -4,8 +4,8 @@
 
 #include "Input/FieldFromImage.h"
 #include "Kinds/RectilinearKind.h"
-#include "Shade/LatticeValues.h"
 #include "OutOfCore/VolumeOfArray.h"
+#include "Shade/LatticeValues.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkDataArray.h>

@@ -274,7 +274,7 @@ class Data(unittest.TestCase):
         for data, error, text in (
                 (vtkPolyData(), TypeError, "polygons"),
                 ([[[1.0]]], TypeError, "data set"),
-                ("volume.vti", TypeError, "data set"),
+                ("volume.vti", OSError, "not there"),
                 (None, TypeError, "data set"),
                 (numpy.zeros((3, 3)), ValueError, "shape"),
                 (numpy.zeros((3, 3, 3), complex), TypeError, "real numbers"),

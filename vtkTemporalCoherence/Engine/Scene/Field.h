@@ -109,7 +109,7 @@ struct TypedField
   {
     if (this->Bricks)
     {
-      return this->Bricks->At<T>(i, j, k);
+      return this->Bricks->template At<T>(i, j, k);
     }
     return this->Samples + i * this->Strides.x + j * this->Strides.y + k * this->Strides.z;
   }

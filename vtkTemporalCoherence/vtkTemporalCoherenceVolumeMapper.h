@@ -528,7 +528,7 @@ public:
    *
    * In a window whose frames are followed by others (see vtkTemporalCoherenceRefiner), a frame does
    * not wait for samples longer than a moment. It shows what is finished over a coarse picture, and
-   * later frames bring the rest (see GetFrameIsFinal). Other frames, MakeImage and RenderToImage wait.
+   * later frames bring the rest (see GetFrameIsFinal). All others wait, and so does MakeImage.
    */
   void SetBrickSource(vtkTemporalCoherenceBrickSource* source);
 

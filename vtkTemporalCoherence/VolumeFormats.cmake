@@ -18,6 +18,7 @@ set(volume_format_files
   RandomAccessFile
   RawLayout
   RawVolume
+  SampleBytes
   VolumeHeader
   FileFacts
   ReaderErrors
@@ -35,7 +36,7 @@ if (nlohmann_json_FOUND AND ZLIB_FOUND AND TEMPORAL_COHERENCE_BLOSC_LIBRARY AND
     TEMPORAL_COHERENCE_ZSTD_INCLUDE_DIR)
   set(TEMPORAL_COHERENCE_HAS_ZARR ON)
   list(APPEND volume_format_files
-    ChunkCodec ContainedFolder JsonFiles SampleBytes ZarrChunk ZarrFillValue ZarrImage ZarrLevel
+    ChunkCodec ContainedFolder JsonFiles ZarrChunk ZarrFillValue ZarrImage ZarrLevel
     ZarrMetadata ZarrMetadata3 ZarrSearch ZarrVolume)
   list(APPEND volume_format_definitions TEMPORAL_COHERENCE_HAS_ZARR)
   list(APPEND volume_format_libraries nlohmann_json::nlohmann_json ZLIB::ZLIB

@@ -69,7 +69,7 @@ protected:
 };
 vtkStandardNewMacro(SlowReader);
 
-/// The same volume in memory, and slow to read.
+/// Four spheres in memory, and four spheres behind a slow reader.
 struct Stage
 {
   Stage()

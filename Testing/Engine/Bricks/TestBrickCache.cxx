@@ -63,7 +63,7 @@ private:
   TypedField<T> Samples;
 };
 
-/// The same field, with its samples in bricks.
+/// A field in bricks with the samples of a field in memory.
 /// \param rooms for bricks
 template <typename T>
 Field InBricks(const Field& field, std::size_t rooms)

@@ -91,10 +91,8 @@ std::uint64_t LookAgain(
 
 std::size_t RangeScan::BytesFor(ScalarType type, const glm::ivec3& dimensions)
 {
-  const glm::ivec3 nodes = CellBlocks::NodesFor(dimensions);
-  const std::size_t ranges = static_cast<std::size_t>(nodes.x) * static_cast<std::size_t>(nodes.y) *
-    static_cast<std::size_t>(nodes.z) * (LeavesPerNode + 1);
-  return 2 * SizeOf(type) * ranges;
+  const std::int64_t ranges = CountOf(CellBlocks::NodesFor(dimensions)) * (LeavesPerNode + 1);
+  return 2 * SizeOf(type) * static_cast<std::size_t>(ranges);
 }
 
 RangeScan::RangeScan(ScalarType type, const glm::ivec3& dimensions, std::shared_ptr<std::byte> room)

@@ -31,7 +31,6 @@ public:
   static constexpr int Cells = 32; ///< of a brick along each axis
   static constexpr int Before = 1; ///< samples before the first cell
   static constexpr int Edge = 35;  ///< samples along each axis
-  static constexpr int Behind = 2; ///< samples after the last cell's first sample, besides it
 
   /// \param dimensions samples of the volume along each axis
   /// \param sampleSize bytes of a sample
@@ -84,8 +83,6 @@ public:
 
   /// The first cell of a brick.
   glm::ivec3 FirstCellOf(std::int64_t brick) const;
-
-  const glm::ivec3& NumberOfBricks() const { return this->Grid; }
 
   std::size_t MemoryInBytes() const;
 

@@ -7,6 +7,7 @@
 #include "OutOfCore/ChunkCache.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace TemporalCoherence
 {
@@ -25,6 +26,15 @@ public:
 
   void Read(const glm::ivec3& first, const glm::ivec3& size, void* samples,
     const glm::i64vec2& strides) const override;
+
+  /// Read the whole level.
+  /// \param samples room for it, x fastest
+  void ReadAll(void* samples) const
+  {
+    const glm::ivec3& size = this->Chunks.Level().Dimensions;
+    this->Read(
+      glm::ivec3(0), size, samples, { size.x, static_cast<std::int64_t>(size.x) * size.y });
+  }
 
 private:
   ChunkCache& Chunks;

@@ -48,9 +48,7 @@ std::shared_ptr<StandIn> FromLevel(const std::shared_ptr<const VolumeFile>& file
   const auto samples = std::make_shared<std::vector<std::byte>>(
     static_cast<std::size_t>(CountOf(taken.Dimensions)) * bytes);
   ChunkCache chunks(file, coarse, 0);
-  ChunkBricks(chunks, bytes)
-    .Read(glm::ivec3(0), taken.Dimensions, samples->data(),
-      { taken.Dimensions.x, static_cast<std::int64_t>(taken.Dimensions.x) * taken.Dimensions.y });
+  ChunkBricks(chunks, bytes).ReadAll(samples->data());
   if (chunks.NumberOfMistakes() > 0)
   {
     return nullptr;

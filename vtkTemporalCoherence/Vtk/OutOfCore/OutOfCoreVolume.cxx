@@ -3,6 +3,7 @@
 #include "OutOfCore/OutOfCoreVolume.h"
 
 #include "Acceleration/NodeRanges.h"
+#include "Acceleration/ValuesInBand.h"
 #include "OutOfCore/ChunkBricks.h"
 #include "OutOfCore/CoarseField.h"
 #include "OutOfCore/RangesFile.h"
@@ -83,7 +84,7 @@ bool OutOfCoreVolume::FindRanges(const OutOfCoreOptions& options, const ReportPr
   RangesFile file(this->Source->HasIdentity() ? options.RangesPaths : std::vector<std::string>(),
     hash, type, dimensions);
   this->Known = file.Load(this->RangesInFile);
-  this->WereKnown = this->AreKept = this->Known != nullptr;
+  this->WereKnown = this->Known != nullptr;
   if (this->Known)
   {
     return true;
@@ -97,8 +98,7 @@ bool OutOfCoreVolume::FindRanges(const OutOfCoreOptions& options, const ReportPr
   }
   this->Known = std::make_shared<const KnownRanges>(*found);
   // After a mistake the ranges may be wrong: no file keeps them. Frames tell the mistake.
-  this->AreKept = this->Mistake().empty() && file.Finish(*this->Known);
-  if (this->AreKept)
+  if (this->Mistake().empty() && file.Finish(*this->Known))
   {
     // Guarded against a file that becomes shorter.
     const auto kept = file.Load(this->RangesInFile);
@@ -141,9 +141,10 @@ bool OutOfCoreVolume::MayHold(std::int64_t brick, const std::vector<double>& iso
         }
       }
       return std::any_of(isovalues.begin(), isovalues.end(),
-        [&](double isovalue) {
-          return static_cast<double>(all.Min) < isovalue &&
-            isovalue <= static_cast<double>(all.Max);
+        [&](double isovalue)
+        {
+          return ReachInto(
+            { isovalue, isovalue }, static_cast<double>(all.Min), static_cast<double>(all.Max));
         });
     });
 }
@@ -182,9 +183,7 @@ void OutOfCoreVolume::EndFrame(const std::vector<double>& isovalues) const
 
 void OutOfCoreVolume::ReadAll(void* samples) const
 {
-  const glm::ivec3& size = this->Level().Dimensions;
-  ChunkBricks(*this->Chunks, SizeOf(this->Source->Type()))
-    .Read(glm::ivec3(0), size, samples, { size.x, static_cast<std::int64_t>(size.x) * size.y });
+  ChunkBricks(*this->Chunks, SizeOf(this->Source->Type())).ReadAll(samples);
 }
 
 std::string OutOfCoreVolume::Mistake() const

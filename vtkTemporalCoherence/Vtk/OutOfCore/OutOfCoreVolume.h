@@ -64,9 +64,6 @@ public:
   /// True if the value ranges came from their file.
   bool HadRanges() const { return this->WereKnown; }
 
-  /// True if the value ranges are kept in a file.
-  bool KeepsRanges() const { return this->AreKept; }
-
   void SetMemoryLimit(std::size_t bytes) const;
 
   /// A frame begins that uses the samples.
@@ -99,7 +96,7 @@ private:
   std::shared_ptr<const BrickCache> Cache;
   std::shared_ptr<const KnownRanges> Known;
   std::shared_ptr<const StandIn> Stand;
-  bool WereKnown = false, AreKept = false;
+  bool WereKnown = false;
   std::shared_ptr<const MappedFile> RangesInFile; ///< null: the ranges are in memory
   std::unique_ptr<ReadAhead> Ahead;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutOfCore/RangesFile.h"
 
+#include "Acceleration/NodeRanges.h"
 #include "Acceleration/RangeScan.h"
 #include "OutOfCore/FileRoom.h"
 #include "OutOfCore/SampleHash.h"
@@ -27,9 +28,7 @@ constexpr std::uint32_t Order = 0x01020304u; ///< tells the byte order of the ma
 
 std::size_t NodesOf(const glm::ivec3& dimensions)
 {
-  const glm::ivec3 nodes = CellBlocks::NodesFor(dimensions);
-  return static_cast<std::size_t>(nodes.x) * static_cast<std::size_t>(nodes.y) *
-    static_cast<std::size_t>(nodes.z);
+  return static_cast<std::size_t>(CountOf(CellBlocks::NodesFor(dimensions)));
 }
 
 /// What the text at the beginning says.
@@ -202,10 +201,9 @@ bool RangesFile::Finish(const KnownRanges& ranges)
   const std::string all = text.str();
   std::memset(this->Made->Data(), ' ', HeadSize);
   std::memcpy(this->Made->Data(), all.data(), all.size());
-  const bool isKept = this->Made->Append(ranges.LeavesWithNaN.data(),
-                        ranges.LeavesWithNaN.size() * sizeof(std::uint64_t)) &&
+  return this->Made->Append(
+           ranges.LeavesWithNaN.data(), ranges.LeavesWithNaN.size() * sizeof(std::uint64_t)) &&
     this->Made->Keep();
-  return isKept;
 }
 
 }

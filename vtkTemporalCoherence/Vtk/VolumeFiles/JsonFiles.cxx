@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeFiles/JsonFiles.h"
 
+#include "VolumeFiles/FileFacts.h"
+
 #include <system_error>
 
 namespace TemporalCoherence
@@ -45,14 +47,6 @@ bool ParseObject(const std::string& text, Json& object)
   return object.is_object();
 }
 
-std::string StampOf(const std::filesystem::path& path, std::uint64_t bytes)
-{
-  std::error_code code;
-  const auto time = std::filesystem::last_write_time(path, code);
-  const auto ticks = code ? 0 : static_cast<long long>(time.time_since_epoch().count());
-  return path.string() + ' ' + std::to_string(bytes) + ' ' + std::to_string(ticks) + '\n';
-}
-
 }
 
 FileState JsonFiles::Read(const std::filesystem::path& path, Json& object, std::string& error)
@@ -80,7 +74,7 @@ FileState JsonFiles::Read(const std::filesystem::path& path, Json& object, std::
     error = "File " + path.string() + " is not a valid JSON object; copy the volume again.";
     return FileState::Refused;
   }
-  this->StampText += StampOf(path, file.Size());
+  this->StampText += FileFacts(path.string());
   return FileState::Opened;
 }
 

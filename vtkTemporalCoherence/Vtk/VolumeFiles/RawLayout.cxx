@@ -8,12 +8,6 @@
 
 namespace TemporalCoherence
 {
-namespace
-{
-
-constexpr std::size_t MostBytesOfChunk = std::size_t(4) << 20;
-
-}
 
 bool BytesOf(const glm::ivec3& dimensions, ScalarType type, std::uint64_t& bytes)
 {
@@ -49,21 +43,6 @@ bool CheckLayout(const std::string& path, const RawLayout& layout, std::string& 
     }
   }
   return true;
-}
-
-glm::ivec3 ChunkOf(const glm::ivec3& dimensions, ScalarType type)
-{
-  std::size_t room = MostBytesOfChunk / SizeOf(type);
-  glm::ivec3 chunk;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto all = static_cast<std::size_t>(dimensions[axis]);
-    const std::size_t parts = (all - 1) / room + 1;
-    const std::size_t part = (all - 1) / parts + 1;
-    chunk[axis] = static_cast<int>(part);
-    room = parts > 1 ? 1 : room / part;
-  }
-  return chunk;
 }
 
 std::string TextOf(const glm::ivec3& dimensions)

@@ -34,10 +34,6 @@ bool BytesOf(const glm::ivec3& dimensions, ScalarType type, std::uint64_t& bytes
 /// \param error receives what is wrong and what to do, in one sentence
 bool CheckLayout(const std::string& path, const RawLayout& layout, std::string& error);
 
-/// The samples along each axis of chunks of at most 4 MiB: whole rows of a few slices; parts of
-/// slices, or of rows, where those are too large. The parts of an axis have about equal sizes.
-glm::ivec3 ChunkOf(const glm::ivec3& dimensions, ScalarType type);
-
 /// Dimensions in messages: "3 x 4 x 5".
 std::string TextOf(const glm::ivec3& dimensions);
 

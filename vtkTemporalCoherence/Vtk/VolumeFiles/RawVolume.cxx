@@ -4,9 +4,8 @@
 
 #include "VolumeFiles/MappedFile.h"
 #include "VolumeFiles/RandomAccessFile.h"
-
-#include <vtkByteSwap.h>
-#include <vtkEndian.h>
+#include "VolumeFiles/SampleBytes.h"
+#include "VolumeFiles/SlabChunk.h"
 
 #include <iomanip>
 #include <limits>
@@ -19,20 +18,7 @@ namespace TemporalCoherence
 namespace
 {
 
-#ifdef VTK_WORDS_BIGENDIAN
-constexpr bool MachineIsBigEndian = true;
-#else
-constexpr bool MachineIsBigEndian = false;
-#endif
-
-/// Reverse the bytes of each sample.
-void SwapSamples(void* samples, std::size_t count, std::size_t sizeOfSample)
-{
-  if (sizeOfSample > 1)
-  {
-    vtkByteSwap::SwapVoidRange(samples, count, sizeOfSample);
-  }
-}
+constexpr std::size_t MostBytesOfChunk = std::size_t(4) << 20;
 
 class RawVolume : public VolumeFile
 {
@@ -63,8 +49,9 @@ RawVolume::RawVolume(
   const std::size_t size = SizeOf(layout.Type);
   this->SampleType = layout.Type;
   this->Resolutions.push_back(
-    { layout.Dimensions, ChunkOf(layout.Dimensions, layout.Type), layout.Spacing, layout.Origin });
-  if ((size == 1 || layout.IsBigEndian == MachineIsBigEndian) && layout.Offset % size == 0)
+    { layout.Dimensions, SlabChunk(layout.Dimensions, size, MostBytesOfChunk, MostBytesOfChunk),
+      layout.Spacing, layout.Origin });
+  if ((size == 1 || layout.IsBigEndian != IsLittleEndianMachine()) && layout.Offset % size == 0)
   {
     this->Mapped = MappedFile::Map(*this->File, layout.Offset + bytes);
   }
@@ -129,9 +116,9 @@ bool RawVolume::ReadChunk(
   {
     return false;
   }
-  if (this->Layout.IsBigEndian != MachineIsBigEndian)
+  if (this->Layout.IsBigEndian == IsLittleEndianMachine())
   {
-    SwapSamples(samples, only.SamplesOfChunk(), SizeOf(this->SampleType));
+    SwapSampleBytes(this->SampleType, samples, only.SamplesOfChunk());
   }
   return true;
 }

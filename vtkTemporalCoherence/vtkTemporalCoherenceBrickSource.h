@@ -83,6 +83,7 @@ public:
    */
   virtual void SetRawLayout(
     const int dimensions[3], int scalarType, vtkTypeInt64 headerSize = 0, bool isBigEndian = false);
+  /** The same, with the samples along x, y and z one by one. */
   void SetRawLayout(
     int x, int y, int z, int scalarType, vtkTypeInt64 headerSize = 0, bool isBigEndian = false);
 

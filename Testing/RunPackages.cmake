@@ -87,6 +87,8 @@ set(contents_of_libvtktemporalcoherence-dev
   include/vtkTemporalCoherence/vtkTemporalCoherencePresets.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceRefiner.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceStatistics.h
+  include/vtkTemporalCoherence/vtkTemporalCoherenceView.h
+  include/vtkTemporalCoherence/vtkTemporalCoherenceViewWriter.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceVolume.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceVolumeMapper.h)
 set(packages "${library}" libvtktemporalcoherence-dev)

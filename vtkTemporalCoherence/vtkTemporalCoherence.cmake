@@ -3,6 +3,7 @@ set(module_directory "${CMAKE_CURRENT_LIST_DIR}")
 find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
 include("${CMAKE_CURRENT_LIST_DIR}/VolumeFormats.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/ViewFiles.cmake")
 if (NOT TEMPORAL_COHERENCE_HAS_ZARR)
   message(STATUS "Zarr volumes cannot be read: nlohmann_json, zlib, c-blosc or zstd is missing.")
 endif ()
@@ -31,6 +32,7 @@ set(engine_files
   Acceleration/RangeScan
   Acceleration/RareValues
   Acceleration/SampleComparer
+  Acceleration/SurfaceHistogram
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
   Lattice/BeamChoice
@@ -93,6 +95,7 @@ set(engine_files
   Isomap/IsomapLookup
   Isomap/KernelsBandBeam
   Isomap/KnotCollector
+  Isomap/KnotImage
   Isomap/Knots
   Isomap/RangeBuild
   Isomap/TileGroups
@@ -346,6 +349,8 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherencePresets.cxx"
     "${module_directory}/vtkTemporalCoherenceRefiner.cxx"
     "${module_directory}/vtkTemporalCoherenceStatistics.cxx"
+    "${module_directory}/vtkTemporalCoherenceView.cxx"
+    "${module_directory}/vtkTemporalCoherenceViewWriter.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperInternals.cxx"
@@ -354,6 +359,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceVolumeMapperSettings.cxx"
     ${bridge_files}
     ${volume_format_files}
+    ${view_file_files}
     $<TARGET_OBJECTS:TemporalCoherenceEngine>
     $<TARGET_OBJECTS:TemporalCoherenceVolumes>
   NOWRAP_HEADERS
@@ -368,6 +374,8 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherencePresets.h"
     "${module_directory}/vtkTemporalCoherenceRefiner.h"
     "${module_directory}/vtkTemporalCoherenceStatistics.h"
+    "${module_directory}/vtkTemporalCoherenceView.h"
+    "${module_directory}/vtkTemporalCoherenceViewWriter.h"
     "${module_directory}/vtkTemporalCoherenceVolume.h"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")
 vtk_module_include(VTK::TemporalCoherence
@@ -376,10 +384,13 @@ vtk_module_include(VTK::TemporalCoherence
   PRIVATE
     "${module_directory}/Engine"
     "${module_directory}/Vtk"
-    ${volume_format_includes})
+    ${volume_format_includes}
+    "${view_page_includes}")
 vtk_module_compile_features(VTK::TemporalCoherence PUBLIC cxx_std_17)
 vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:glm::glm> $<BUILD_INTERFACE:hwy::hwy>)
-foreach (library IN LISTS volume_format_libraries)
+set(module_libraries ${volume_format_libraries} ${view_file_libraries})
+list(REMOVE_DUPLICATES module_libraries)
+foreach (library IN LISTS module_libraries)
   vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:${library}>)
 endforeach ()
 if (volume_format_definitions)

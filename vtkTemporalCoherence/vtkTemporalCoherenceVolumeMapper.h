@@ -660,6 +660,7 @@ private:
   std::unique_ptr<Internals> Internal;
   friend class vtkTemporalCoherencePicker;                 // finds cells
   friend class vtkTemporalCoherenceGPUVolumeRayCastMapper; // asks whether a frame would be refused
+  friend class vtkTemporalCoherenceViewWriter;             // asks for the input of frames
 };
 VTK_ABI_NAMESPACE_END
 

@@ -115,7 +115,7 @@ set_target_properties(vtkTemporalCoherencePython PROPERTIES
   LIBRARY_OUTPUT_DIRECTORY "${python_build_directory}/vtkTemporalCoherence")
 
 foreach (file IN ITEMS __init__.py blended.py everywhere.py given_data.py isosurfaces.py large_volumes.py
-    mapper_support.py numpy_support.py pictures.py segmentations.py py.typed)
+    mapper_support.py numpy_support.py pictures.py saved_views.py segmentations.py py.typed)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/vtkTemporalCoherence/${file}"
     "${python_build_directory}/vtkTemporalCoherence/${file}" COPYONLY)
   install(

@@ -13,6 +13,7 @@ volume.GetProperty().GetIsoSurfaceValues(). help(vtkTemporalCoherenceVolumeMappe
     segmentation           surfaces of labels, with names and colours
     use_everywhere         let it draw the isosurfaces of VTK's own mappers, made from now on
     replace_mapper         put it into a vtkVolume that has another mapper
+    save_view              a picture for every isovalue, as one page for browsers
     numpy_to_image         a volume from a NumPy array
     render                 a picture as NumPy arrays, without a window or display
     planes, Planes         the arrays of the last frame: colour, depth, normals and more
@@ -48,6 +49,7 @@ from .isosurfaces import IsosurfaceVolume, isosurface
 from .large_volumes import open_volume
 from .mapper_support import replace_mapper
 from .pictures import Picture, PicturedVolume
+from .saved_views import save_view
 from .segmentations import SegmentationVolume, segmentation
 from .version import __version__
 from .vtkTemporalCoherence import (
@@ -60,6 +62,8 @@ from .vtkTemporalCoherence import (
     vtkTemporalCoherencePresets,
     vtkTemporalCoherenceRefiner,
     vtkTemporalCoherenceStatistics,
+    vtkTemporalCoherenceView,
+    vtkTemporalCoherenceViewWriter,
     vtkTemporalCoherenceVolume,
     vtkTemporalCoherenceVolumeMapper,
 )
@@ -81,6 +85,7 @@ __all__ = [
     "maximum",
     "open_volume",
     "replace_mapper",
+    "save_view",
     "segmentation",
     "use_everywhere",
     "vtkTemporalCoherenceBrickSource",
@@ -92,6 +97,8 @@ __all__ = [
     "vtkTemporalCoherencePresets",
     "vtkTemporalCoherenceRefiner",
     "vtkTemporalCoherenceStatistics",
+    "vtkTemporalCoherenceView",
+    "vtkTemporalCoherenceViewWriter",
     "vtkTemporalCoherenceVolume",
     "vtkTemporalCoherenceVolumeMapper",
     *_OF_NUMPY_SUPPORT,

@@ -25,10 +25,12 @@ using namespace TemporalCoherence;
 TEST(IsomapLimits, TheFinestToleranceDependsOnTheLengthOfRays)
 {
   Field field;
-  field.Dimensions = glm::ivec3(100);
-  EXPECT_EQ(Isomap::SmallestTolerance(field, IndexTransform()), Isomap::FinestTolerance);
   field.Dimensions = glm::ivec3(60000, 60000, 2);
-  EXPECT_GT(Isomap::SmallestTolerance(field, IndexTransform()), 40.0 * Isomap::FinestTolerance);
+  EXPECT_EQ(Isomap::SmallestTolerance(field, IndexTransform()), Isomap::FinestTolerance);
+  // Voxels 1000 times as long in one direction.
+  IndexTransform stretched;
+  stretched.WorldFromIndex[0][0] = 1000.0;
+  EXPECT_GT(Isomap::SmallestTolerance(field, stretched), 40.0 * Isomap::FinestTolerance);
 }
 
 /// Noise in a still view.

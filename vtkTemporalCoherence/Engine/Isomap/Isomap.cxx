@@ -42,9 +42,9 @@ double Isomap::SmallestTolerance(const Field& field, const IndexTransform& trans
   {
     longest = std::max(longest, glm::length(edges * (side * cells)));
   }
-  constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
-  const double kept = rounding * longest / (1.0 - FitShare);
-  return std::max(FinestTolerance, kept / field.Shape->VoxelSizeIn(transform).Shortest);
+  const double steps = std::numeric_limits<decltype(Knot::Distance)>::max();
+  const double finest = longest * KnotGrid::StepsOfTolerance / steps;
+  return std::max(FinestTolerance, finest / field.Shape->VoxelSizeIn(transform).Shortest);
 }
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
@@ -59,9 +59,12 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
   const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
     !key.Samples.Shape->Abilities().IsMesh && options.Tolerance > 0.0 &&
     options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
-  return { isFitted ? options.Tolerance * key.Samples.Shape->VoxelSizeIn(key.Transform).Shortest
-                    : 0.0,
-    options.HasNormals };
+  if (!isFitted)
+  {
+    return { 0.0, options.HasNormals };
+  }
+  const double voxel = key.Samples.Shape->VoxelSizeIn(key.Transform).Shortest;
+  return { options.Tolerance * voxel, options.HasNormals, KnotGrid::LargestFor(options.Tolerance) };
 }
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const

@@ -67,11 +67,8 @@ public:
     Impossible ///< there are no isovalues, no cells, too many cells, or no BandTracer
   };
 
-  /// Tolerances below this, in voxels, count as 0. Distances are stored in single precision, which
-  /// may take a tenth of the tolerance. This suffices for the diagonal of a cube of 960 voxels; for
-  /// larger fields, SmallestTolerance is larger. Finer tolerances would gain nothing: progress is
-  /// stored to BandScale::StoredError, so below some 2e-5 voxels not even the steepest surface
-  /// could be located, and every ray would be traced.
+  /// Tolerances below this, in voxels, count as 0. Finer ones would gain nothing: the steps of
+  /// progress could not locate even steep surfaces, and every ray would be traced.
   static constexpr double FinestTolerance = 1e-3;
 
   /// The finest tolerance for a field of any size; smaller ones count as 0.

@@ -111,13 +111,20 @@ try
     {
       return false;
     }
-    IsovalueKeys found{ band, {}, {} };
     const BandScale scale(this->Key.Samples.Type, band->Values, this->FiniteRange);
+    const KnotGrid grid = scale.GridFor(this->Tolerance, this->Map.Form().LargestProgress);
+    IsovalueKeys found{ band, {}, {}, {}, scale.ErrorIn(grid), grid.DistanceStep,
+      BandScale::StoredError };
+    if (this->Tolerance > 0.0 && scale.Unit > 0.0)
+    {
+      found.EntryError = std::max(found.EntryError, grid.ProgressStep / scale.Unit);
+    }
     for (const ValueDirection direction : { ValueDirection::Rising, ValueDirection::Falling })
     {
       const double progress = scale.Progress(direction, scale.DifferenceOf(isovalue));
       found.Progress[static_cast<std::size_t>(direction)] =
         scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
+      found.Steps[static_cast<std::size_t>(direction)] = grid.StepsOf(progress);
       found.Key[static_cast<std::size_t>(direction)] = scale.KeyOf(progress);
     }
     keys.push_back(found);
@@ -299,7 +306,7 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
       continue;
     }
     const double ahead = keys.Progress[rising] - static_cast<double>(knots.Entries[ray]);
-    if (std::abs(ahead) <= BandScale::StoredError)
+    if (std::abs(ahead) <= keys.EntryError)
     {
       found.Unresolved |= Bit(ray);
       which &= ~Bit(ray);
@@ -439,16 +446,18 @@ void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
     {
       continue;
     }
-    FitPoint point;
+    FitPoint point{};
     const FitAnswer answer =
-      FindInFit(table, ray, keys.Progress[direction], this->Tolerance, point);
-    if (answer == FitAnswer::Unsure)
+      FindInFit({ table.Get<0>(), table.Get<1>(), table.Begin(ray), table.Begin(ray + 1) },
+        keys.Steps[direction], keys.StepError, point);
+    const double depth = rays.Begin[ray] + point.Distance * keys.DistanceStep;
+    if (answer == FitAnswer::UnsureMiss || answer == FitAnswer::UnsureHit)
     {
       found.Unresolved |= Bit(ray);
     }
-    else if (answer == FitAnswer::Reached && rays.Begin[ray] + point.Distance < hits.Depth[ray])
+    else if (answer == FitAnswer::Reached && depth < hits.Depth[ray])
     {
-      hits.Depth[ray] = rays.Begin[ray] + point.Distance;
+      hits.Depth[ray] = depth;
       hits.Surface[ray] = static_cast<SurfaceIndex>(surface);
       hits.Kind[ray] =
         HitRules::KindOf(direction == static_cast<std::size_t>(ValueDirection::Falling));

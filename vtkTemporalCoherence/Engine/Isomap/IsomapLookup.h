@@ -37,6 +37,10 @@ public:
     const GroupBand* Band;
     std::array<BandScale::Key, NumberOfDirections> Key; ///< of the isovalue, in each direction
     std::array<double, NumberOfDirections> Progress;    ///< progress of the isovalue, as stored
+    std::array<double, NumberOfDirections> Steps;       ///< the same in steps of the grid
+    double StepError;                                   ///< of these, in steps
+    double DistanceStep;
+    double EntryError; ///< of progress where a ray begins, as stored
   };
 
   /// The isovalues of the frame in the bands of a group of tiles.

@@ -38,6 +38,7 @@ KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, const B
   : Rays(rays)
   , Form(form)
   , Scale(scale)
+  , Grid(scale.GridFor(form.Tolerance, form.LargestProgress))
   , Fits(form.Tolerance > 0.0 ? NumberOfDirections * RayBatch::Capacity : 0)
 {
 }
@@ -45,21 +46,24 @@ KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, const B
 void KnotCollector::Follow(
   std::size_t direction, std::size_t ray, const Cubic<double>& progress, double enter, double leave)
 {
-  // Begin a little before the band, so that its first isovalue can be looked up.
-  const double resolution = BandScale::StoredError * this->Scale.Unit;
-  const KnotFit::Wanted wanted{ -4.0 * resolution, FitShare * this->Form.Tolerance, resolution };
-  this->Fits[direction * RayBatch::Capacity + ray].Follow(
-    progress, enter, leave, wanted, [&](const Knot& knot) { this->AddKnot(direction, ray, knot); });
+  Cubic<double> steps;
+  for (std::size_t c = 0; c < progress.size(); ++c)
+  {
+    steps[c] = this->Grid.StepsOf(progress[c]);
+  }
+  const double begin = this->Rays.Begin[ray], step = this->Grid.DistanceStep;
+  this->Fits[direction * RayBatch::Capacity + ray].Follow(steps, (enter - begin) / step,
+    (leave - begin) / step, this->Grid.LargestProgress,
+    [&](const Knot& knot) { this->AddKnot(direction, ray, knot); });
 }
 
 void KnotCollector::AddKnot(std::size_t direction, std::size_t ray, const Knot& knot)
 {
-  const auto distance = static_cast<float>(knot.Distance - this->Rays.Begin[ray]);
   this->Fitted[direction].push_back(
-    { static_cast<std::uint8_t>(ray), { this->Scale.Stored(knot.Progress), distance } });
+    { static_cast<std::uint8_t>(ray), { knot.Distance, knot.Progress } });
   if (this->Form.HasNormals)
   {
-    this->AddPlace(direction, ray, distance);
+    this->AddPlace(direction, ray, static_cast<float>(knot.Distance * this->Grid.DistanceStep));
   }
 }
 

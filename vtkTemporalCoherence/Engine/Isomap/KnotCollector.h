@@ -4,6 +4,7 @@
 #define TemporalCoherence_KnotCollector_h
 
 #include "Isomap/KnotFit.h"
+#include "Isomap/KnotGrid.h"
 #include "Isomap/Knots.h"
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
@@ -17,20 +18,19 @@
 namespace TemporalCoherence
 {
 
-/// Share of the tolerance for fitting; the rest is for rounding.
-constexpr double FitShare = 0.9;
-
 /// The form in which knots are stored.
 struct KnotForm
 {
   double Tolerance = 0.0; ///< largest error of a distance; 0: knots are cells. Only fields with
                           ///< linear interpolation are fitted
   bool HasNormals = false;
+  std::uint16_t LargestProgress = 65535; ///< of fitted knots (KnotGrid)
 };
 
 inline bool operator==(const KnotForm& a, const KnotForm& b)
 {
-  return a.Tolerance == b.Tolerance && a.HasNormals == b.HasNormals;
+  return a.Tolerance == b.Tolerance && a.HasNormals == b.HasNormals &&
+    a.LargestProgress == b.LargestProgress;
 }
 
 /// Where the normals of knots come from.
@@ -114,6 +114,7 @@ private:
   KnotForm Form;
   BandScale Scale;
   std::array<std::vector<CellKnots::Row>, NumberOfDirections> Cells;
+  KnotGrid Grid;
   std::vector<KnotFit> Fits; ///< of each ray in each direction
   std::array<std::vector<FittedKnots::Row>, NumberOfDirections> Fitted;
   std::array<std::vector<Place>, NumberOfDirections> Places;

@@ -7,62 +7,70 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Share of the tolerance for the error of stored progress.
-constexpr double LargestDoubt = 0.1;
+/// Largest error of a distance by the error of progress, in steps.
+constexpr double LargestDoubt = 0.1 * KnotGrid::StepsOfTolerance;
 
-/// The fitted function of one ray.
-struct FittedRay
+/// A jump is misplaced by half a step of progress; the rest is for errors of progress.
+constexpr double JumpError = 1.0;
+
+/// The first knot with at least this progress.
+std::size_t KnotOf(const FittedRay& ray, double progress)
 {
-  /// The first knot with at least this progress.
-  std::size_t KnotOf(double progress) const
-  {
-    return static_cast<std::size_t>(
-      std::lower_bound(this->Progress + this->Begin, this->Progress + this->End, progress,
-        [](float knot, double value) { return static_cast<double>(knot) < value; }) -
-      this->Progress);
-  }
+  return static_cast<std::size_t>(
+    std::lower_bound(ray.Progress + ray.Begin, ray.Progress + ray.End, progress,
+      [](std::uint16_t knot, double value) { return knot < value; }) -
+    ray.Progress);
+}
 
-  /// \pre `knot` is not the ray's first knot
-  double ShareOf(double progress, std::size_t knot) const
-  {
-    const auto from = static_cast<double>(this->Progress[knot - 1]);
-    return (progress - from) / (static_cast<double>(this->Progress[knot]) - from);
-  }
-  double DistanceOf(double progress, std::size_t knot) const
-  {
-    const auto from = static_cast<double>(this->Distance[knot - 1]);
-    return from +
-      this->ShareOf(progress, knot) * (static_cast<double>(this->Distance[knot]) - from);
-  }
+/// \pre `knot` is not the ray's first knot
+double ShareOf(const FittedRay& ray, double progress, std::size_t knot)
+{
+  const double from = ray.Progress[knot - 1];
+  return (progress - from) / (ray.Progress[knot] - from);
+}
+double DistanceOf(const FittedRay& ray, double progress, std::size_t knot)
+{
+  const double from = ray.Distance[knot - 1];
+  return from + ShareOf(ray, progress, knot) * (ray.Distance[knot] - from);
+}
 
-  const float *Progress, *Distance;
-  std::size_t Begin, End;
-};
+/// True if there is a jump among knots.
+bool Jumps(const FittedRay& ray, std::size_t first, std::size_t end)
+{
+  const auto* const jump = std::adjacent_find(ray.Progress + first, ray.Progress + end);
+  return jump != ray.Progress + end;
+}
 
 }
 
-FitAnswer FindInFit(
-  const FittedKnots& table, std::size_t ray, double progress, double tolerance, FitPoint& point)
+FitAnswer FindInFit(const FittedRay& ray, double progress, double error, FitPoint& point)
 {
-  const FittedRay fit{ table.Get<0>(), table.Get<1>(), table.Begin(ray), table.Begin(ray + 1) };
-  const double lowest = progress - BandScale::StoredError;
-  const double highest = progress + BandScale::StoredError;
-  const std::size_t first = fit.KnotOf(lowest), last = fit.KnotOf(highest);
-  if (first == fit.End)
+  const std::size_t first = KnotOf(ray, progress - JumpError);
+  if (first == ray.End)
   {
     return FitAnswer::Missed;
   }
-  // Jumps, plateaus and the end of the ray within the error show at the ends of the error interval.
-  if (first == fit.Begin || last == fit.End ||
-    !(fit.DistanceOf(highest, last) - fit.DistanceOf(lowest, first) <= LargestDoubt * tolerance))
+  const std::size_t knot = KnotOf(ray, progress);
+  if (knot == ray.End)
   {
-    return FitAnswer::Unsure;
+    return FitAnswer::UnsureMiss;
   }
-  point.Knot = fit.KnotOf(progress);
-  point.Before = point.Knot - 1;
-  point.Share = static_cast<float>(fit.ShareOf(progress, point.Knot));
-  point.Distance = fit.DistanceOf(progress, point.Knot);
-  return FitAnswer::Reached;
+  if (knot == ray.Begin)
+  {
+    point = { static_cast<double>(ray.Distance[knot]), knot, knot, 1.0f };
+    return FitAnswer::UnsureHit;
+  }
+  point = { DistanceOf(ray, progress, knot), knot - 1, knot,
+    static_cast<float>(ShareOf(ray, progress, knot)) };
+  const std::size_t last = KnotOf(ray, progress + JumpError);
+  if (first == ray.Begin || last == ray.End || Jumps(ray, first, last + 1))
+  {
+    return FitAnswer::UnsureHit;
+  }
+  const double lowest = progress - error, highest = progress + error;
+  const double doubt =
+    DistanceOf(ray, highest, KnotOf(ray, highest)) - DistanceOf(ray, lowest, KnotOf(ray, lowest));
+  return doubt <= LargestDoubt ? FitAnswer::Reached : FitAnswer::UnsureHit;
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_Knots_h
 #define TemporalCoherence_Knots_h
 
+#include "Isomap/KnotGrid.h"
 #include "Isomap/RayTable.h"
 #include "Scene/Difference.h"
 #include "Scene/Surfaces.h"
@@ -73,13 +74,29 @@ struct BandScale
     return static_cast<Key>(1 + below + (static_cast<double>(below) < at ? 1 : 0));
   }
 
-  /// Progress and differences are stored in single precision, relative to the largest difference.
+  /// The grid for fitted knots.
+  /// \param tolerance       of distances
+  /// \param largestProgress in steps
+  KnotGrid GridFor(double tolerance, std::uint16_t largestProgress) const
+  {
+    const double steps = largestProgress - 2.0 * KnotGrid::Margin;
+    const double step = std::max(this->Span / steps, StoredError * this->Unit);
+    return { step > 0.0 ? step : 1.0, tolerance / KnotGrid::StepsOfTolerance, largestProgress };
+  }
+
+  /// Differences are stored in single precision, relative to the largest difference.
   /// StoredError is the resulting error.
   float Stored(double progress) const
   {
     return this->Unit > 0.0 ? static_cast<float>(progress / this->Unit) : 0.0f;
   }
   static constexpr double StoredError = 32.0 * std::numeric_limits<float>::epsilon();
+
+  /// The same in steps of a grid.
+  double ErrorIn(const KnotGrid& grid) const
+  {
+    return StoredError * this->Unit / grid.ProgressStep;
+  }
 
   IsovalueScale Isovalues; ///< gives the unit of differences and progress
   double Low;              ///< lowest isovalue of the band
@@ -112,31 +129,40 @@ inline std::size_t FirstNotBelow(
 /// Knots of a piecewise linear function from progress to the distance at which a ray first reaches
 /// it, within a tolerance. Two knots with equal progress mark a jump.
 ///
-/// Columns: progress as stored, distance from the beginning of the ray.
-using FittedKnots = RayTable<float, float>;
+/// Columns: distance from where the ray begins and progress, in steps of the grid.
+using FittedKnots = RayTable<decltype(Knot::Distance), decltype(Knot::Progress)>;
 
 /// The result of a look-up of a progress in fitted knots.
 enum class FitAnswer : std::uint8_t
 {
-  Missed,  ///< the ray does not reach it
-  Reached, ///< the ray reaches it
-  Unsure   ///< too close to a jump or to the end of the ray to tell, or too steep there
+  Missed,     ///< the ray does not reach it
+  Reached,    ///< the ray reaches it
+  UnsureMiss, ///< the knots say that it is missed, but the end of the ray is close
+  UnsureHit   ///< the knots say that it is reached, but it is steep there, or a jump is close
 };
 
 /// A point between knots.
 struct FitPoint
 {
-  double Distance; ///< from where the ray begins
+  double Distance; ///< from where the ray begins, in steps
   std::size_t Before, Knot;
   float Share; ///< of the way from Before to Knot
 };
 
+/// The fitted knots of one ray: Begin to End - 1 in columns.
+struct FittedRay
+{
+  const decltype(Knot::Distance)* Distance;
+  const decltype(Knot::Progress)* Progress;
+  std::size_t Begin, End;
+};
+
 /// Find where a ray reaches a progress.
 /// \pre the ray has knots
-/// \param progress  as stored
-/// \param tolerance largest error of the distance
-FitAnswer FindInFit(
-  const FittedKnots& table, std::size_t ray, double progress, double tolerance, FitPoint& point);
+/// \param progress in steps
+/// \param error    of it, in steps
+/// \param point    set if it is reached, also if that is unsure
+FitAnswer FindInFit(const FittedRay& ray, double progress, double error, FitPoint& point);
 
 /// Unit normals in the world, in units of 1 / LargestNormal, one for each knot, where the field has
 /// the knot's progress.

@@ -1,0 +1,16 @@
+# Files of views: libraries that write and read them, and the page that shows them. Without the
+# libraries the module is built, and says that it cannot write views.
+find_package(nlohmann_json QUIET)
+find_package(ZLIB QUIET)
+set(view_file_files CinemaWriter DescriptionFromVolume KnotChunk ViewLookUp ViewMaker ViewPage WholeFile)
+set(view_file_libraries)
+if (nlohmann_json_FOUND AND ZLIB_FOUND)
+  list(APPEND view_file_files ViewFile ViewHeader ViewHeaderParts ZlibBytes)
+  list(APPEND view_file_libraries nlohmann_json::nlohmann_json ZLIB::ZLIB)
+else ()
+  list(APPEND view_file_files NoViewFile)
+endif ()
+list(TRANSFORM view_file_files PREPEND "${CMAKE_CURRENT_LIST_DIR}/Vtk/ViewFile/")
+list(TRANSFORM view_file_files APPEND ".cxx")
+include("${CMAKE_CURRENT_LIST_DIR}/Vtk/ViewFile/Page.cmake")
+list(APPEND view_file_files "${view_page_source}")

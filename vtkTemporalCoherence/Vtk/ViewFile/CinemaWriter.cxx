@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewFile/CinemaWriter.h"
+
+#include "Scene/Frame.h"
+#include "ViewFile/ViewFile.h"
+#include "ViewFile/ViewLookUp.h"
+#include "ViewFile/WholeFile.h"
+
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <system_error>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+constexpr const char* FileName = "views.tcview";
+
+/// A number that reads back as the same.
+std::string TextOf(double number)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(std::numeric_limits<double>::max_digits10) << number;
+  return text.str();
+}
+
+/// A text as a field of a CSV file.
+std::string FieldOf(const std::string& text)
+{
+  std::string field = "\"";
+  for (const char character : text)
+  {
+    field += character == '"' ? "\"\"" : std::string(1, character == '\n' ? ' ' : character);
+  }
+  return field + "\"";
+}
+
+/// The range of depths on surfaces; (0, 1) without any.
+glm::dvec2 DepthsOf(const Frame& frame)
+{
+  glm::dvec2 range(std::numeric_limits<double>::infinity(), 0.0);
+  for (const double depth : frame.Depth)
+  {
+    if (std::isfinite(depth))
+    {
+      range = { std::min(range.x, depth), std::max(range.y, depth) };
+    }
+  }
+  return std::isfinite(range.x) ? range : glm::dvec2(0.0, 1.0);
+}
+
+/// Writes the images of one isovalue.
+class ImageWriter
+{
+public:
+  ImageWriter(const std::filesystem::path& folder, const Frame& frame)
+    : Folder(folder)
+    , Size(frame.Size)
+    , Picture(frame)
+    , Depths(DepthsOf(frame))
+  {
+    this->Image->SetDimensions(this->Size.x, this->Size.y, 1);
+  }
+
+  /// 16 bits: 0 without a surface; 1 to 65535 from the smallest depth to the largest.
+  bool WriteDepths(const std::string& name)
+  {
+    constexpr double steps = 65534.0;
+    const double length = std::max(this->Depths.y - this->Depths.x, 1e-300);
+    vtkNew<vtkUnsignedShortArray> values;
+    values->SetNumberOfValues(static_cast<vtkIdType>(this->Picture.Depth.size()));
+    for (std::size_t i = 0; i < this->Picture.Depth.size(); ++i)
+    {
+      const double depth = this->Picture.Depth[i];
+      values->SetValue(static_cast<vtkIdType>(i),
+        std::isfinite(depth)
+          ? static_cast<unsigned short>(1.5 + steps * (depth - this->Depths.x) / length)
+          : static_cast<unsigned short>(0));
+    }
+    return this->Write(name, values);
+  }
+
+  /// Three bytes: -1 to 1 as 1 to 255; 0 without a surface.
+  bool WriteNormals(const std::string& name)
+  {
+    constexpr float middle = 128.0f, unit = 127.0f;
+    vtkNew<vtkUnsignedCharArray> values;
+    values->SetNumberOfComponents(3);
+    values->SetNumberOfTuples(static_cast<vtkIdType>(this->Picture.Normals.size()));
+    for (std::size_t i = 0; i < this->Picture.Normals.size(); ++i)
+    {
+      const bool isHit = std::isfinite(this->Picture.Depth[i]);
+      for (int c = 0; c < 3; ++c)
+      {
+        const float component = std::round(middle + unit * this->Picture.Normals[i][c]);
+        values->SetTypedComponent(static_cast<vtkIdType>(i), c,
+          static_cast<unsigned char>(isHit ? component : 0.0f));
+      }
+    }
+    return this->Write(name, values);
+  }
+
+  const glm::dvec2& RangeOfDepths() const { return this->Depths; }
+
+private:
+  bool Write(const std::string& name, vtkDataArray* values)
+  {
+    this->Image->GetPointData()->SetScalars(values);
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetFileName((this->Folder / name).u8string().c_str());
+    writer->SetInputData(this->Image);
+    writer->Write();
+    return writer->GetErrorCode() == 0;
+  }
+
+  std::filesystem::path Folder;
+  glm::ivec2 Size;
+  const Frame& Picture;
+  glm::dvec2 Depths;
+  vtkNew<vtkImageData> Image;
+};
+
+/// Name of an image.
+std::string NameOf(const char* kind, std::size_t view, int isovalue)
+{
+  char name[64];
+  std::snprintf(name, sizeof(name), "%s-%02zu-%04d.png", kind, view + 1, isovalue + 1);
+  return name;
+}
+
+}
+
+std::string WriteCinema(const std::string& folder, const std::vector<std::uint8_t>& file,
+  int isovalues, const ReportProgress& report)
+{
+  LoadedViews views;
+  const std::string wrong = ReadViews(file, views);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  const std::filesystem::path place = std::filesystem::u8path(folder);
+  std::error_code failure;
+  if (std::filesystem::exists(place, failure) && !std::filesystem::exists(place / "data.csv", failure))
+  {
+    return folder + " exists, and is no Cinema database; give another name.";
+  }
+  std::filesystem::create_directories(place, failure);
+  if (failure)
+  {
+    return folder + " cannot be made: " + failure.message() + ".";
+  }
+  std::string table = "view,isovalue,depth_min,depth_max,FILE_depth,FILE_normal,FILE_view\n";
+  Frame frame;
+  for (std::size_t view = 0; view < views.Knots.size(); ++view)
+  {
+    const ViewEntry& entry = views.Header.Views[view];
+    for (int i = 0; i < isovalues; ++i)
+    {
+      const double isovalue =
+        i + 1 == isovalues ? entry.Range.High : glm::mix(entry.Range.Low, entry.Range.High, i / (isovalues - 1.0));
+      LookUpView(entry.Geometry, views.Knots[view], isovalue, frame);
+      ImageWriter images(place, frame);
+      const std::string depth = NameOf("depth", view, i), normal = NameOf("normal", view, i);
+      if (!images.WriteDepths(depth) || !images.WriteNormals(normal))
+      {
+        return folder + " cannot be filled with images; is there room?";
+      }
+      table += FieldOf(entry.Geometry.Name) + ',' + TextOf(isovalue) + ',' +
+        TextOf(images.RangeOfDepths().x) + ',' + TextOf(images.RangeOfDepths().y) + ',' + depth +
+        ',' + normal + ',' + FileName + '\n';
+      const double done = static_cast<double>(view) + (i + 1.0) / isovalues;
+      if (report && !report(done / static_cast<double>(views.Knots.size())))
+      {
+        return {};
+      }
+    }
+  }
+  const std::string error = ReplaceFile((place / FileName).u8string(), file);
+  return error.empty() ? ReplaceFile((place / "data.csv").u8string(), { table.begin(), table.end() })
+                       : error;
+}
+
+}

@@ -34,10 +34,7 @@ struct vtkTemporalCoherenceView::Internals
     return isThere ? &all[static_cast<std::size_t>(view)] : nullptr;
   }
 
-  const TemporalCoherence::ViewTexts& Texts() const
-  {
-    return this->Views.Header.Description.Texts;
-  }
+  const TemporalCoherence::ViewTexts& Texts() const { return this->Views.Header.Description.Texts; }
 };
 
 //------------------------------------------------------------------------------
@@ -159,16 +156,14 @@ bool vtkTemporalCoherenceView::LookUp(int view, double isovalue, vtkImageData* i
   const TemporalCoherence::ViewEntry* const entry = this->Internal->At(view);
   if (!entry || !image)
   {
-    vtkErrorMacro("LookUp needs an image, and a view from 0 to " << this->GetNumberOfViews() - 1
-                                                                 << "; it was given view " << view
-                                                                 << ".");
+    vtkErrorMacro("LookUp needs an image, and a view from 0 to "
+      << this->GetNumberOfViews() - 1 << "; it was given view " << view << ".");
     return false;
   }
   if (!entry->Range.Holds(isovalue))
   {
-    vtkErrorMacro("The view holds isovalues from " << entry->Range.Low << " to "
-                                                   << entry->Range.High << ", not " << isovalue
-                                                   << ".");
+    vtkErrorMacro("The view holds isovalues from "
+      << entry->Range.Low << " to " << entry->Range.High << ", not " << isovalue << ".");
     return false;
   }
   try

@@ -314,10 +314,9 @@ bool vtkTemporalCoherenceViewWriter::WriteView(
     {
       bytes = TemporalCoherence::PageOf(bytes, views.Description.Texts);
     }
-    error = isDatabase
-      ? TemporalCoherence::WriteCinema(file, bytes, this->NumberOfIsovalues,
-          TemporalCoherence::PartOf(report, shareOfKnots, 1.0))
-      : TemporalCoherence::ReplaceFile(file, bytes);
+    error = isDatabase ? TemporalCoherence::WriteCinema(file, bytes, this->NumberOfIsovalues,
+                           TemporalCoherence::PartOf(report, shareOfKnots, 1.0))
+                       : TemporalCoherence::ReplaceFile(file, bytes);
     this->BytesWritten = static_cast<vtkIdType>(bytes.size());
     this->NumberOfKnots = static_cast<vtkIdType>(views.Knots);
   }

@@ -67,11 +67,8 @@ SurfaceHistogram CountSurfaces(ScalarType type, const ValueRangePyramid& ranges,
     return histogram;
   }
   std::vector<std::int64_t> differences(parts + 1, 0);
-  DispatchScalarType(type,
-    [&](auto sample)
-    {
-      CountLeaves<decltype(sample)>(ranges, differences);
-    });
+  DispatchScalarType(
+    type, [&](auto sample) { CountLeaves<decltype(sample)>(ranges, differences); });
   std::partial_sum(differences.begin(), differences.end() - 1, differences.begin());
   differences.pop_back();
   histogram.Counts = std::move(differences);

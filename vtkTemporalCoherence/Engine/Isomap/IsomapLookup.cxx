@@ -53,11 +53,9 @@ struct KnotColumns
   const CellIndex* Cells = nullptr;
 };
 
-/// A mean of the normals of two knots.
-glm::vec3 MixNormals(const PackedNormal& a, const PackedNormal& b, float weightOfB)
+glm::vec3 Unpack(const PackedNormal& normal)
 {
-  const auto unpack = [](const PackedNormal& n) { return glm::vec3(n[0], n[1], n[2]); };
-  return glm::mix(unpack(a), unpack(b), weightOfB);
+  return { normal[0], normal[1], normal[2] };
 }
 
 /// True if a ray can go from one cell to the other directly.
@@ -74,14 +72,14 @@ glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std
   const CellIndex* const cells = table.Get<1>();
   if (knot == first || !AreNeighbors(cells[knot - 1], cells[knot]))
   {
-    return MixNormals(normals[knot], normals[knot], 0.0f);
+    return Unpack(normals[knot]);
   }
   const BandScale::Key* const paths = table.Get<0>();
   const int way = paths[knot] - paths[knot - 1];
   // In a mesh the knot before may reach the key, too, without a surface in its cell.
   const int ahead = std::max(key - paths[knot - 1], 0);
   const float share = way > 0 ? static_cast<float>(ahead) / static_cast<float>(way) : 1.0f;
-  return MixNormals(normals[knot - 1], normals[knot], share);
+  return glm::mix(Unpack(normals[knot - 1]), Unpack(normals[knot]), share);
 }
 
 }
@@ -464,7 +462,8 @@ void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
       if (this->HasNormals)
       {
         const PackedNormal* const normals = knots.Normals[direction].Get<0>();
-        found.Normals[ray] = MixNormals(normals[point.Before], normals[point.Knot], point.Share);
+        found.Normals[ray] = NormalOnPiece(Unpack(normals[2 * point.Before]),
+          Unpack(normals[2 * point.Knot + 1]), Unpack(normals[2 * point.Knot]), point.Share);
       }
     }
   }

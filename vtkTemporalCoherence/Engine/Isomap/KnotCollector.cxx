@@ -54,16 +54,21 @@ void KnotCollector::Follow(
   const double begin = this->Rays.Begin[ray], step = this->Grid.DistanceStep;
   this->Fits[direction * RayBatch::Capacity + ray].Follow(steps, (enter - begin) / step,
     (leave - begin) / step, this->Grid.LargestProgress,
-    [&](const Knot& knot) { this->AddKnot(direction, ray, knot); });
+    [&](const Knot& knot, const KnotPlaces& places)
+    { this->AddKnot(direction, ray, knot, places); });
 }
 
-void KnotCollector::AddKnot(std::size_t direction, std::size_t ray, const Knot& knot)
+void KnotCollector::AddKnot(
+  std::size_t direction, std::size_t ray, const Knot& knot, const KnotPlaces& places)
 {
   this->Fitted[direction].push_back(
     { static_cast<std::uint8_t>(ray), { knot.Distance, knot.Progress } });
   if (this->Form.HasNormals)
   {
-    this->AddPlace(direction, ray, static_cast<float>(knot.Distance * this->Grid.DistanceStep));
+    for (const double place : { places.Knot, places.Middle })
+    {
+      this->AddPlace(direction, ray, static_cast<float>(place * this->Grid.DistanceStep));
+    }
   }
 }
 
@@ -72,7 +77,8 @@ void KnotCollector::HandOver(const KnotNormalSource& source, TileKnots& knots)
   for (std::size_t fit = 0; fit < this->Fits.size(); ++fit)
   {
     const std::size_t direction = fit / RayBatch::Capacity, ray = fit % RayBatch::Capacity;
-    this->Fits[fit].Finish([&](const Knot& knot) { this->AddKnot(direction, ray, knot); });
+    this->Fits[fit].Finish([&](const Knot& knot, const KnotPlaces& places)
+      { this->AddKnot(direction, ray, knot, places); });
   }
   for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
   {

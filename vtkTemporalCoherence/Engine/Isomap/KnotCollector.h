@@ -106,7 +106,7 @@ private:
   {
     this->Places[direction].push_back({ static_cast<std::uint8_t>(ray), distance });
   }
-  void AddKnot(std::size_t direction, std::size_t ray, const Knot& knot);
+  void AddKnot(std::size_t direction, std::size_t ray, const Knot& knot, const KnotPlaces& places);
   void FindNormals(const Place* places, std::size_t count, const KnotNormalSource& source,
     std::vector<KnotNormals::Row>& normals) const;
 

@@ -17,6 +17,13 @@
 namespace TemporalCoherence
 {
 
+/// Distances of the function itself, in steps: not rounded, and not fitted.
+struct KnotPlaces
+{
+  double Knot = 0.0;   ///< where it has the progress of a knot
+  double Middle = 0.0; ///< half way in progress from the knot before; that of the knot behind jumps
+};
+
 /// Fits the distance at which one ray first reaches each progress by a piecewise linear function
 /// with knots on a KnotGrid, within the tolerance.
 ///
@@ -41,7 +48,7 @@ public:
   ///                     coefficients
   /// \param enter, leave distances from where the ray begins, in steps
   /// \param largest      progress at which the fit ends, in steps
-  /// \param emit         called with each knot that is final
+  /// \param emit         called with each knot that is final, and with its KnotPlaces
   template <typename Emit>
   void Follow(
     const Cubic<double>& cubic, double enter, double leave, double largest, const Emit& emit)
@@ -70,7 +77,7 @@ public:
     this->EndAtLast(emit);
     if (this->EndsPiece)
     {
-      emit(this->Start);
+      emit(this->Start, this->Places);
     }
   }
 
@@ -128,6 +135,7 @@ private:
     if (!this->HasStart)
     {
       this->Start = { Nearest(point.Progress), NearestDistance(point.Distance) };
+      this->Places = { point.Distance, point.Distance };
       this->HasStart = true;
     }
     else if (point.Distance - this->LastDistance > PieceError)
@@ -233,20 +241,41 @@ private:
   template <typename Emit>
   void EndAt(std::uint32_t progress, const Emit& emit)
   {
-    if (progress > this->Start.Progress)
-    {
-      emit(this->Start);
-      const double slope = std::max(0.5 * (this->LowestSlope + this->HighestSlope), 0.0);
-      this->Start = { static_cast<std::uint16_t>(progress),
-        NearestDistance(this->Start.Distance + slope * (progress - this->Start.Progress)) };
-      this->EndsPiece = true;
-    }
     std::size_t behind = 0;
     while (behind < this->Points.size() && this->Points[behind].Progress <= progress)
     {
       ++behind;
     }
+    if (progress > this->Start.Progress)
+    {
+      emit(this->Start, this->Places);
+      const double middle = 0.5 * (this->Start.Progress + progress);
+      this->Places = { this->PlaceOf(progress), this->PlaceOf(middle) };
+      const double slope = std::max(0.5 * (this->LowestSlope + this->HighestSlope), 0.0);
+      this->Start = { static_cast<std::uint16_t>(progress),
+        NearestDistance(this->Start.Distance + slope * (progress - this->Start.Progress)) };
+      this->EndsPiece = true;
+    }
     this->Drop(behind);
+  }
+
+  /// Where the function has a progress.
+  double PlaceOf(double progress) const
+  {
+    const auto behind = static_cast<std::size_t>(
+      std::find_if(this->Points.begin(), this->Points.end(),
+        [progress](const Point& point) { return point.Progress > progress; }) -
+      this->Points.begin());
+    const Point before = behind > 0
+      ? this->Points[behind - 1]
+      : Point{ static_cast<double>(this->Start.Progress), this->Places.Knot };
+    if (behind == this->Points.size())
+    {
+      return before.Distance;
+    }
+    const Point& next = this->Points[behind];
+    const double share = (progress - before.Progress) / (next.Progress - before.Progress);
+    return Mix(before.Distance, next.Distance, share);
   }
 
   /// The function jumps to a distance at the present start.
@@ -255,10 +284,11 @@ private:
   {
     if (this->EndsPiece)
     {
-      emit(this->Start);
+      emit(this->Start, this->Places);
       this->EndsPiece = false;
     }
     this->Start.Distance = NearestDistance(distance);
+    this->Places = { distance, distance };
   }
 
   /// Forget the first points, and begin a piece.
@@ -324,7 +354,8 @@ private:
   bool HasBegun = false;
   double Reached = 0.0; ///< highest progress so far, from 0
   bool HasStart = false;
-  Knot Start{};           ///< of the present piece; it is not emitted yet
+  Knot Start{}; ///< of the present piece; it is not emitted yet
+  KnotPlaces Places;
   bool EndsPiece = false; ///< it ends the piece before, too
   /// Ends of chords behind Start, the first of which are in the present piece.
   std::vector<Point> Points;

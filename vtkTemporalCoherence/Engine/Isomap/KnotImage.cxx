@@ -86,6 +86,7 @@ void CopyKnots(const TilesOfMap& tiles, std::size_t direction, PixelKnots& image
   image.Progress.resize(count);
   image.Distance.resize(count);
   image.Normals.resize(count);
+  image.Middles.resize(count);
   tiles.ForPixels(
     [&](const TileKnots& knots, std::size_t ray, std::size_t pixel)
     {
@@ -94,10 +95,11 @@ void CopyKnots(const TilesOfMap& tiles, std::size_t direction, PixelKnots& image
       for (std::size_t from = table.IsEmpty() ? 0 : table.Begin(ray); to < image.Begin[pixel + 1];
            ++from, ++to)
       {
-        const PackedNormal& normal = knots.Normals[direction].Get<0>()[from];
+        const PackedNormal* const normals = knots.Normals[direction].Get<0>() + 2 * from;
         image.Distance[to] = table.Get<0>()[from];
         image.Progress[to] = table.Get<1>()[from];
-        image.Normals[to] = ToOctahedral({ normal[0], normal[1], normal[2] });
+        image.Normals[to] = ToOctahedral({ normals[0][0], normals[0][1], normals[0][2] });
+        image.Middles[to] = ToOctahedral({ normals[1][0], normals[1][1], normals[1][2] });
       }
     });
 }
@@ -165,7 +167,8 @@ KnotImage::Hit KnotImage::LookUp(std::size_t pixel, double isovalue) const
   {
     const glm::dvec3 before = FromOctahedral(knots.Normals[point.Before], this->NormalSteps);
     const glm::dvec3 behind = FromOctahedral(knots.Normals[point.Knot], this->NormalSteps);
-    const glm::dvec3 mean = glm::mix(before, behind, static_cast<double>(point.Share));
+    const glm::dvec3 middle = FromOctahedral(knots.Middles[point.Knot], this->NormalSteps);
+    const glm::dvec3 mean = NormalOnPiece(before, middle, behind, static_cast<double>(point.Share));
     const double length = glm::length(mean);
     hit.Distance = point.Distance * this->Grid.DistanceStep;
     hit.Normal = length > 0.0 ? mean / length : behind;

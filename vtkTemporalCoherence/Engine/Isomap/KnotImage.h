@@ -19,7 +19,7 @@ namespace TemporalCoherence
 
 /// A unit vector by octahedral coordinates, in units of 1 / OctahedralSteps.
 using OctahedralNormal = std::array<std::int8_t, 2>;
-constexpr int OctahedralSteps = 40;
+constexpr int OctahedralSteps = 80;
 
 OctahedralNormal ToOctahedral(const glm::dvec3& normal);
 glm::dvec3 FromOctahedral(const OctahedralNormal& packed, int steps = OctahedralSteps);
@@ -31,6 +31,8 @@ struct PixelKnots
   std::vector<std::uint16_t> Progress;
   std::vector<std::uint32_t> Distance;
   std::vector<OctahedralNormal> Normals;
+  /// Half way from the knot before; at knots that begin a piece, that of the knot.
+  std::vector<OctahedralNormal> Middles;
 
   bool IsEmpty(std::size_t pixel) const { return this->Begin[pixel] == this->Begin[pixel + 1]; }
   FittedRay RayOf(std::size_t pixel) const

@@ -165,10 +165,21 @@ struct FittedRay
 FitAnswer FindInFit(const FittedRay& ray, double progress, double error, FitPoint& point);
 
 /// Unit normals in the world, in units of 1 / LargestNormal, one for each knot, where the field has
-/// the knot's progress.
+/// the knot's progress. Fitted knots have two: behind each the normal half way in progress from the
+/// knot before, as normals turn much along a piece.
 using PackedNormal = std::array<std::int16_t, 3>;
 using KnotNormals = RayTable<PackedNormal>;
 constexpr float LargestNormal = 32767.0f;
+
+/// A normal on a piece, by a parabola through those at its ends and half way: not normalised.
+/// \param share of the way from `before` to `behind`
+template <typename Vector, typename Real>
+Vector NormalOnPiece(const Vector& before, const Vector& middle, const Vector& behind, Real share)
+{
+  const Real one(1), two(2), four(4);
+  return (one - share) * (one - two * share) * before + four * share * (one - share) * middle +
+    share * (two * share - one) * behind;
+}
 
 /// The knots of the rays of a tile for a band, in each direction.
 struct TileKnots

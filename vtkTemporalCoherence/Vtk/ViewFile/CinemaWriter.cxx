@@ -109,8 +109,8 @@ public:
       for (int c = 0; c < 3; ++c)
       {
         const float component = std::round(middle + unit * this->Picture.Normals[i][c]);
-        values->SetTypedComponent(static_cast<vtkIdType>(i), c,
-          static_cast<unsigned char>(isHit ? component : 0.0f));
+        values->SetTypedComponent(
+          static_cast<vtkIdType>(i), c, static_cast<unsigned char>(isHit ? component : 0.0f));
       }
     }
     return this->Write(name, values);
@@ -157,7 +157,8 @@ std::string WriteCinema(const std::string& folder, const std::vector<std::uint8_
   }
   const std::filesystem::path place = std::filesystem::u8path(folder);
   std::error_code failure;
-  if (std::filesystem::exists(place, failure) && !std::filesystem::exists(place / "data.csv", failure))
+  if (std::filesystem::exists(place, failure) &&
+    !std::filesystem::exists(place / "data.csv", failure))
   {
     return folder + " exists, and is no Cinema database; give another name.";
   }
@@ -173,8 +174,9 @@ std::string WriteCinema(const std::string& folder, const std::vector<std::uint8_
     const ViewEntry& entry = views.Header.Views[view];
     for (int i = 0; i < isovalues; ++i)
     {
-      const double isovalue =
-        i + 1 == isovalues ? entry.Range.High : glm::mix(entry.Range.Low, entry.Range.High, i / (isovalues - 1.0));
+      const double isovalue = i + 1 == isovalues
+        ? entry.Range.High
+        : glm::mix(entry.Range.Low, entry.Range.High, i / (isovalues - 1.0));
       LookUpView(entry.Geometry, views.Knots[view], isovalue, frame);
       ImageWriter images(place, frame);
       const std::string depth = NameOf("depth", view, i), normal = NameOf("normal", view, i);
@@ -193,8 +195,9 @@ std::string WriteCinema(const std::string& folder, const std::vector<std::uint8_
     }
   }
   const std::string error = ReplaceFile((place / FileName).u8string(), file);
-  return error.empty() ? ReplaceFile((place / "data.csv").u8string(), { table.begin(), table.end() })
-                       : error;
+  return error.empty()
+    ? ReplaceFile((place / "data.csv").u8string(), { table.begin(), table.end() })
+    : error;
 }
 
 }

@@ -59,8 +59,8 @@ void AddBox(const Region& region, const IndexTransform& transform, const glm::dv
 
 }
 
-ViewLook LookOf(const FrameKey& key, const SurfaceHistogram& surfaces, vtkRenderer* renderer,
-  vtkVolume* volume)
+ViewLook LookOf(
+  const FrameKey& key, const SurfaceHistogram& surfaces, vtkRenderer* renderer, vtkVolume* volume)
 {
   ViewLook look;
   look.Light = key.Appearance;

@@ -17,8 +17,8 @@ namespace TemporalCoherence
 {
 
 /// How a frame's surfaces look, and where there are others.
-ViewLook LookOf(const FrameKey& key, const SurfaceHistogram& surfaces, vtkRenderer* renderer,
-  vtkVolume* volume);
+ViewLook LookOf(
+  const FrameKey& key, const SurfaceHistogram& surfaces, vtkRenderer* renderer, vtkVolume* volume);
 
 /// Where the rays of a frame go.
 /// \param tolerance in voxels

@@ -96,7 +96,7 @@ public:
     const std::size_t count = knots.Begin[end] - knots.Begin[first];
     this->Streams[Tokens].reserve(count);
     this->Streams[Distances].reserve(count + count / 2);
-    this->Streams[Normals].resize(2 * count);
+    this->Streams[Normals].resize(4 * count);
   }
 
   void Add(std::size_t pixel)
@@ -145,9 +145,9 @@ private:
   {
     const int progress = this->Knots.Progress[knot];
     const KnotNeighbors::Token token = progress == neighbors.LastProgress() ? KnotNeighbors::Jump
-      : progress == neighbors.NextOfLeft()                                 ? KnotNeighbors::AsLeft
-      : progress == neighbors.NextOfBelow()                                ? KnotNeighbors::AsBelow
-                                                                           : KnotNeighbors::Told;
+      : progress == neighbors.NextOfLeft()                                  ? KnotNeighbors::AsLeft
+      : progress == neighbors.NextOfBelow()                                 ? KnotNeighbors::AsBelow
+                                                                            : KnotNeighbors::Told;
     this->Streams[Tokens].push_back(token);
     if (token == KnotNeighbors::Told)
     {
@@ -158,9 +158,15 @@ private:
     Append(distance - neighbors.DistanceExpected(), this->Streams[Distances]);
     const OctahedralNormal& normal = this->Knots.Normals[knot];
     const std::array<int, 2> expected = neighbors.NormalExpected(distance);
+    const OctahedralNormal& middle = this->Knots.Middles[knot];
+    const std::array<int, 2> between = neighbors.MiddleExpected(progress, normal);
     Bytes& normals = this->Streams[Normals];
-    normals[this->Done] = Difference(normal[0], expected[0]);
-    normals[this->Done + normals.size() / 2] = Difference(normal[1], expected[1]);
+    const std::size_t count = normals.size() / 4;
+    for (std::size_t c = 0; c < 2; ++c)
+    {
+      normals[this->Done + c * count] = Difference(normal[c], expected[c]);
+      normals[this->Done + (c + 2) * count] = Difference(middle[c], between[c]);
+    }
     ++this->Done;
     neighbors.Take(progress, distance, normal);
   }
@@ -202,7 +208,7 @@ public:
 
   std::string Decode(std::size_t pixels, std::size_t count)
   {
-    if (!this->IsWhole || this->Lengths[Tokens] != count || this->Lengths[Normals] != 2 * count)
+    if (!this->IsWhole || this->Lengths[Tokens] != count || this->Lengths[Normals] != 4 * count)
     {
       return "the lengths of its parts are wrong";
     }
@@ -213,15 +219,16 @@ public:
     this->Knots.Progress.resize(count);
     this->Knots.Distance.resize(count);
     this->Knots.Normals.resize(count);
-    for (std::size_t knot = 0; knot < count; ++knot)
+    this->Knots.Middles.resize(count);
+    for (std::vector<OctahedralNormal>* normals : { &this->Knots.Normals, &this->Knots.Middles })
     {
-      const std::uint8_t u = this->Streams[Normals].Byte();
-      this->Knots.Normals[knot][0] = static_cast<std::int8_t>(u);
-    }
-    for (std::size_t knot = 0; knot < count; ++knot)
-    {
-      const std::uint8_t v = this->Streams[Normals].Byte();
-      this->Knots.Normals[knot][1] = static_cast<std::int8_t>(v);
+      for (std::size_t c = 0; c < 2; ++c)
+      {
+        for (OctahedralNormal& normal : *normals)
+        {
+          normal[c] = static_cast<std::int8_t>(this->Streams[Normals].Byte());
+        }
+      }
     }
     for (std::size_t pixel = 0; pixel < pixels; ++pixel)
     {
@@ -302,18 +309,24 @@ private:
     }
   }
 
-  /// Its normal holds the difference from what is expected.
+  /// Its normals hold the differences from what is expected.
   void Keep(std::size_t knot, int progress, std::int64_t distance, KnotNeighbors& neighbors)
   {
-    const std::array<int, 2> expected = neighbors.NormalExpected(distance);
     OctahedralNormal& normal = this->Knots.Normals[knot];
-    for (std::size_t c = 0; c < normal.size(); ++c)
-    {
-      normal[c] = static_cast<std::int8_t>(static_cast<std::uint8_t>(expected[c] + normal[c]));
-    }
+    AddTo(normal, neighbors.NormalExpected(distance));
+    AddTo(this->Knots.Middles[knot], neighbors.MiddleExpected(progress, normal));
     this->Knots.Progress[knot] = static_cast<std::uint16_t>(progress);
     this->Knots.Distance[knot] = static_cast<std::uint32_t>(distance);
     neighbors.Take(progress, distance, normal);
+  }
+
+  static void AddTo(OctahedralNormal& difference, const std::array<int, 2>& expected)
+  {
+    for (std::size_t c = 0; c < difference.size(); ++c)
+    {
+      difference[c] =
+        static_cast<std::int8_t>(static_cast<std::uint8_t>(expected[c] + difference[c]));
+    }
   }
 
   std::size_t Width;

@@ -116,8 +116,7 @@ public:
 
   /// \param pixel of `width` in a row
   /// \param first pixel of the chunk: it knows nothing of those before
-  KnotNeighbors(
-    const PixelKnots& knots, std::size_t pixel, std::size_t width, std::size_t first)
+  KnotNeighbors(const PixelKnots& knots, std::size_t pixel, std::size_t width, std::size_t first)
   {
     const bool hasLeft = pixel % width > 0, hasBelow = pixel >= first + width;
     this->Left = hasLeft ? KnotNeighbor(knots, pixel - 1) : KnotNeighbor();
@@ -156,10 +155,10 @@ public:
       return diagonal >= high ? low : diagonal <= low ? high : left + below - diagonal;
     }
     constexpr std::int64_t usualStep = 8;
-    return this->HasLeft  ? left
-      : this->HasBelow    ? below
-      : this->Last >= 0   ? this->LastValues.Distance + usualStep
-                          : 0;
+    return this->HasLeft ? left
+      : this->HasBelow   ? below
+      : this->Last >= 0  ? this->LastValues.Distance + usualStep
+                         : 0;
   }
 
   std::array<int, 2> NormalExpected(std::int64_t distance) const
@@ -167,20 +166,18 @@ public:
     constexpr std::int64_t close = 40;
     const bool takesLeft = this->HasLeft && std::abs(this->OfLeft.Distance - distance) < close;
     const bool takesBelow = this->HasBelow && std::abs(this->OfBelow.Distance - distance) < close;
-    if (takesLeft && takesBelow)
-    {
-      std::array<int, 2> mean{};
-      for (std::size_t c = 0; c < 2; ++c)
-      {
-        mean[c] = static_cast<int>(
-          KnotNeighbor::FloorOf(this->OfLeft.Normal[c] + this->OfBelow.Normal[c], 2));
-      }
-      return mean;
-    }
-    return takesLeft  ? this->OfLeft.Normal
-      : takesBelow    ? this->OfBelow.Normal
-      : this->Last >= 0 ? this->LastValues.Normal
-                        : std::array<int, 2>{};
+    return takesLeft && takesBelow ? MeanOf(this->OfLeft.Normal, this->OfBelow.Normal)
+      : takesLeft                  ? this->OfLeft.Normal
+      : takesBelow                 ? this->OfBelow.Normal
+      : this->Last >= 0            ? this->LastValues.Normal
+                                   : std::array<int, 2>{};
+  }
+
+  /// The normal half way from the last knot to one with this progress and normal.
+  std::array<int, 2> MiddleExpected(int progress, const OctahedralNormal& normal) const
+  {
+    const std::array<int, 2> own = { normal[0], normal[1] };
+    return progress > this->Last && this->Last >= 0 ? MeanOf(this->LastValues.Normal, own) : own;
   }
 
   /// Go on behind a knot.
@@ -191,6 +188,12 @@ public:
   }
 
 private:
+  static std::array<int, 2> MeanOf(const std::array<int, 2>& a, const std::array<int, 2>& b)
+  {
+    return { static_cast<int>(KnotNeighbor::FloorOf(a[0] + b[0], 2)),
+      static_cast<int>(KnotNeighbor::FloorOf(a[1] + b[1], 2)) };
+  }
+
   KnotNeighbor Left, Below, Diagonal;
   KnotValues OfLeft, OfBelow, OfDiagonal, LastValues;
   bool HasLeft = false, HasBelow = false, HasDiagonal = false;

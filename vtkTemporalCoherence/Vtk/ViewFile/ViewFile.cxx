@@ -131,6 +131,7 @@ void Join(const ViewEntry& view, ValueDirection direction, std::vector<PixelKnot
   knots.Progress.reserve(count);
   knots.Distance.reserve(count);
   knots.Normals.reserve(count);
+  knots.Middles.reserve(count);
   for (std::size_t i = 0; i < chunks.size(); ++i)
   {
     const ChunkSection& section = view.Chunks[i];
@@ -139,13 +140,15 @@ void Join(const ViewEntry& view, ValueDirection direction, std::vector<PixelKnot
       continue;
     }
     PixelKnots& chunk = chunks[i];
-    knots.Begin.resize(static_cast<std::size_t>(section.Rows.First) * width + 1, knots.Begin.back());
+    knots.Begin.resize(
+      static_cast<std::size_t>(section.Rows.First) * width + 1, knots.Begin.back());
     const std::uint32_t before = knots.Begin.back();
     std::transform(chunk.Begin.begin() + 1, chunk.Begin.end(), std::back_inserter(knots.Begin),
       [before](std::uint32_t begin) { return before + begin; });
     knots.Progress.insert(knots.Progress.end(), chunk.Progress.begin(), chunk.Progress.end());
     knots.Distance.insert(knots.Distance.end(), chunk.Distance.begin(), chunk.Distance.end());
     knots.Normals.insert(knots.Normals.end(), chunk.Normals.begin(), chunk.Normals.end());
+    knots.Middles.insert(knots.Middles.end(), chunk.Middles.begin(), chunk.Middles.end());
     chunk = PixelKnots();
   }
   knots.Begin.resize(pixels + 1, knots.Begin.back());
@@ -320,8 +323,8 @@ std::string ReadViews(const Bytes& file, LoadedViews& views)
   {
     return "The view file is cut off in its header.";
   }
-  views.HeaderText.assign(file.begin() + BytesBeforeHeader,
-    file.begin() + static_cast<std::ptrdiff_t>(begin));
+  views.HeaderText.assign(
+    file.begin() + BytesBeforeHeader, file.begin() + static_cast<std::ptrdiff_t>(begin));
   if (Checksum(views.HeaderText) != NumberAt(file, 16))
   {
     return "The header of the view file is damaged: its checksum is wrong.";
@@ -335,8 +338,7 @@ std::string ReadViews(const Bytes& file, LoadedViews& views)
   views.Knots.resize(views.Header.Views.size());
   for (std::size_t view = 0; view < views.Knots.size(); ++view)
   {
-    const std::string found =
-      ReadView(sections, views.Header.Views[view], views.Knots[view]);
+    const std::string found = ReadView(sections, views.Header.Views[view], views.Knots[view]);
     if (!found.empty())
     {
       return found;

@@ -19,7 +19,7 @@ constexpr int LargestSide = 16384;
 constexpr std::int64_t MostPixels = std::int64_t(1) << 26; // of all views
 /// Deflate packs at most so many bytes into one.
 constexpr std::uint64_t MostPacked = 1032;
-constexpr std::uint64_t LeastBytesOfKnot = 4;
+constexpr std::uint64_t LeastBytesOfKnot = 6;
 
 Json SectionAsJson(const FileSection& section)
 {
@@ -100,8 +100,7 @@ ChunkSection ReadChunk(const Json& json, std::uint64_t bytes, int height)
   chunk.Rows.First = WholeNumber(json.at("first"), 0, height - 1);
   chunk.Rows.Count = WholeNumber(json.at("rows"), 1, height - chunk.Rows.First);
   chunk.Knots = json.at("knots").get<std::uint64_t>();
-  Require(
-    chunk.Knots <= chunk.Unpacked / LeastBytesOfKnot, "a chunk is too small for its knots");
+  Require(chunk.Knots <= chunk.Unpacked / LeastBytesOfKnot, "a chunk is too small for its knots");
   return chunk;
 }
 
@@ -146,7 +145,8 @@ ViewEntry ReadView(const Json& json, std::uint64_t bytes)
     view.Chunks.push_back(ReadChunk(chunk, bytes, size.y));
   }
   CheckChunks(view);
-  const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+  const std::uint64_t pixels =
+    static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
   view.Entries = ReadPlane(json, "entries", bytes, 2 * pixels);
   view.Unknown = ReadPlane(json, "unknown", bytes, (pixels + 7) / 8);
   return view;

@@ -28,7 +28,7 @@ void LookUpTile(const RaySource& source, const ViewGeometry& geometry, const Kno
     frame.Depth[pixel] =
       isHit ? rays.Begin[ray] + hit.Distance : std::numeric_limits<double>::infinity();
     frame.Isovalues[pixel] = isHit ? 0 : Frame::NoSurface;
-    frame.Kinds[pixel] = !isHit ? HitKind::None
+    frame.Kinds[pixel] = !isHit                  ? HitKind::None
       : hit.Direction == ValueDirection::Falling ? HitKind::Exit
                                                  : HitKind::Entry;
     frame.Answers[pixel] = !hit.IsSure ? Answer::PossibleHit
@@ -44,14 +44,12 @@ void LookUpTile(const RaySource& source, const ViewGeometry& geometry, const Kno
 
 }
 
-void LookUpView(
-  const ViewGeometry& geometry, const KnotImage& knots, double isovalue, Frame& frame)
+void LookUpView(const ViewGeometry& geometry, const KnotImage& knots, double isovalue, Frame& frame)
 {
   const IndexTransform transform{ geometry.WorldFromIndex, glm::inverse(geometry.WorldFromIndex) };
   Region region;
   region.Clips = geometry.Planes;
-  const RaySource source(
-    geometry.Rays, transform, glm::ivec3(geometry.Box.High + 1.5), region);
+  const RaySource source(geometry.Rays, transform, glm::ivec3(geometry.Box.High + 1.5), region);
   frame.Resize(knots.Size);
   ParallelFor(NumberOfTiles(knots.Size), TileGrain,
     [&](std::int64_t tile)

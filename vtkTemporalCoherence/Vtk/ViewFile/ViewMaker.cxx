@@ -63,8 +63,7 @@ FrameKey ViewMaker::WithoutLook(const FrameKey& key, double isovalue)
 SurfaceHistogram ViewMaker::CountSurfaces(const FrameKey& key)
 {
   const FrameKey bare = WithoutLook(key, 0.0);
-  return TemporalCoherence::CountSurfaces(
-    key.Samples.Type, *this->Renderer.RangesOf(bare).Pyramid);
+  return TemporalCoherence::CountSurfaces(key.Samples.Type, *this->Renderer.RangesOf(bare).Pyramid);
 }
 
 bool ViewMaker::Make(const FrameKey& key, const ValueBand& range, const ReportProgress& report,

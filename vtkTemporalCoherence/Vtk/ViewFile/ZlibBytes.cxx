@@ -14,7 +14,8 @@ std::vector<std::uint8_t> Deflate(const std::vector<std::uint8_t>& bytes)
   constexpr int level = 6;
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::vector<std::uint8_t> packed(size);
-  if (compress2(packed.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), level) != Z_OK)
+  if (compress2(packed.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), level) !=
+    Z_OK)
   {
     throw std::bad_alloc();
   }

@@ -67,7 +67,7 @@ function checkChunks(view, bytes) {
     require(isWhole(chunk.first, first, view.size[1] - 1) &&
       isWhole(chunk.rows, 1, view.size[1] - chunk.first), "Chunks overlap, or are not in order.");
     next[chunk.direction] = chunk.first + chunk.rows;
-    require(isWhole(chunk.knots, 0, chunk.unpacked / 4), "A chunk is too small for its knots.");
+    require(isWhole(chunk.knots, 0, chunk.unpacked / 6), "A chunk is too small for its knots.");
     knots[chunk.direction] += chunk.knots;
   }
   require(knots.rising === view.knots.rising && knots.falling === view.knots.falling &&

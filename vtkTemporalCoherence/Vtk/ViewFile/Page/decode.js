@@ -1,5 +1,6 @@
-// Unpacks the knots of a view. A knot takes two words: progress in the upper half of the first, the
-// normal's octahedral coordinates in its lower bytes; the second is the distance.
+// Unpacks the knots of a view. A knot takes three words: progress in the upper half of the first,
+// the normal's octahedral coordinates in its lower bytes; the distance; in the lower bytes of the
+// third, the normal half way from the knot before.
 
 // Inflates a section; never beyond the size that it says.
 async function unpack(sections, section) {
@@ -47,7 +48,7 @@ class Streams {
       begin += length;
     }
     require(begin === bytes.length && this.end[1] - this.at[1] === knots &&
-      this.end[4] - this.at[4] === 2 * knots, damaged);
+      this.end[4] - this.at[4] === 4 * knots, damaged);
   }
 
   // The next signed number of a stream.
@@ -81,13 +82,13 @@ function fit(words, begin, end, at, progress, isJump) {
   if (at === end) {
     return false;
   }
-  let word = words[2 * at];
+  let word = words[3 * at];
   if (word >>> 16 === progress) {
-    while (isJump && at + 1 < end && words[2 * at + 2] >>> 16 === progress) {
+    while (isJump && at + 1 < end && words[3 * at + 3] >>> 16 === progress) {
       ++at;
     }
-    word = words[2 * at];
-    fitDistance = words[2 * at + 1];
+    word = words[3 * at];
+    fitDistance = words[3 * at + 1];
     fitU = (word << 16) >> 24;
     fitV = (word << 24) >> 24;
     return true;
@@ -95,10 +96,10 @@ function fit(words, begin, end, at, progress, isJump) {
   if (at === begin) {
     return false;
   }
-  const before = words[2 * at - 2], from = before >>> 16;
+  const before = words[3 * at - 3], from = before >>> 16;
   const share = progress - from, gained = (word >>> 16) - from;
-  const a = words[2 * at - 1], u = (before << 16) >> 24, v = (before << 24) >> 24;
-  fitDistance = a + Math.floor((words[2 * at + 1] - a) * share / gained);
+  const a = words[3 * at - 2], u = (before << 16) >> 24, v = (before << 24) >> 24;
+  fitDistance = a + Math.floor((words[3 * at + 1] - a) * share / gained);
   fitU = u + Math.floor((((word << 16) >> 24) - u) * share / gained);
   fitV = v + Math.floor((((word << 24) >> 24) - v) * share / gained);
   return true;
@@ -144,14 +145,14 @@ function decodeChunk(bytes, view, chunk, start, words) {
     let leftNext = leftBegin, leftAt = leftBegin, belowNext = belowBegin, belowAt = belowBegin;
     let diagonalAt = diagonalBegin, last = -1, wasJump = false, distance = 0, u = 0, v = 0;
     for (let knot = begin; knot < ends; ++knot, ++token, ++normal) {
-      while (leftNext < leftEnd && words[2 * leftNext] >>> 16 <= last) {
+      while (leftNext < leftEnd && words[3 * leftNext] >>> 16 <= last) {
         ++leftNext;
       }
-      while (belowNext < belowEnd && words[2 * belowNext] >>> 16 <= last) {
+      while (belowNext < belowEnd && words[3 * belowNext] >>> 16 <= last) {
         ++belowNext;
       }
-      const leftProgress = leftNext < leftEnd ? words[2 * leftNext] >>> 16 : -1;
-      const belowProgress = belowNext < belowEnd ? words[2 * belowNext] >>> 16 : -1;
+      const leftProgress = leftNext < leftEnd ? words[3 * leftNext] >>> 16 : -1;
+      const belowProgress = belowNext < belowEnd ? words[3 * belowNext] >>> 16 : -1;
       const kind = bytes[token];
       let progress = -1;
       if (kind === 0) {
@@ -169,13 +170,13 @@ function decodeChunk(bytes, view, chunk, start, words) {
         "A chunk is damaged: a knot is impossible.");
       wasJump = isJump;
 
-      while (leftAt < leftEnd && words[2 * leftAt] >>> 16 < progress) {
+      while (leftAt < leftEnd && words[3 * leftAt] >>> 16 < progress) {
         ++leftAt;
       }
-      while (belowAt < belowEnd && words[2 * belowAt] >>> 16 < progress) {
+      while (belowAt < belowEnd && words[3 * belowAt] >>> 16 < progress) {
         ++belowAt;
       }
-      while (diagonalAt < diagonalEnd && words[2 * diagonalAt] >>> 16 < progress) {
+      while (diagonalAt < diagonalEnd && words[3 * diagonalAt] >>> 16 < progress) {
         ++diagonalAt;
       }
       const fitsDiagonal = fit(words, diagonalBegin, diagonalEnd, diagonalAt, progress, isJump);
@@ -184,6 +185,7 @@ function decodeChunk(bytes, view, chunk, start, words) {
       const left = fitDistance, leftU = fitU, leftV = fitV;
       const fitsBelow = fit(words, belowBegin, belowEnd, belowAt, progress, isJump);
       const below = fitDistance, belowU = fitU, belowV = fitV;
+      const begins = last < 0, lastU = u, lastV = v;
       let expected = 0;
       if (fitsLeft && fitsBelow && fitsDiagonal) {
         const low = Math.min(left, below), high = Math.max(left, below);
@@ -207,8 +209,11 @@ function decodeChunk(bytes, view, chunk, start, words) {
       }
       u = (u + bytes[normal]) << 24 >> 24;
       v = (v + bytes[normal + chunk.knots]) << 24 >> 24;
-      words[2 * knot] = (progress << 16) | ((u & 255) << 8) | (v & 255);
-      words[2 * knot + 1] = distance;
+      const middleU = bytes[normal + 2 * chunk.knots] + (begins || isJump ? u : (lastU + u) >> 1);
+      const middleV = bytes[normal + 3 * chunk.knots] + (begins || isJump ? v : (lastV + v) >> 1);
+      words[3 * knot] = (progress << 16) | ((u & 255) << 8) | (v & 255);
+      words[3 * knot + 1] = distance;
+      words[3 * knot + 2] = ((middleU & 255) << 8) | (middleV & 255);
       last = progress;
     }
   }
@@ -219,7 +224,7 @@ function decodeChunk(bytes, view, chunk, start, words) {
 async function decodeDirection(view, direction, sections, pause) {
   const pixels = view.size[0] * view.size[1];
   const start = new Uint32Array(pixels + 1);
-  const words = new Uint32Array(2 * view.knots[direction]);
+  const words = new Uint32Array(3 * view.knots[direction]);
   let done = 0; // pixels whose start is known
   const goTo = (pixel) => {
     start.fill(start[done], done, pixel + 1);

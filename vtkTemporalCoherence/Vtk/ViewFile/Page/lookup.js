@@ -58,10 +58,10 @@ class SurfaceLookup {
       }
       const begin = start[pixel], end = start[pixel + 1];
       let knot = places[i];
-      while (knot < end && words[2 * knot] >>> 16 < progress) {
+      while (knot < end && words[3 * knot] >>> 16 < progress) {
         ++knot;
       }
-      while (knot > begin && words[2 * knot - 2] >>> 16 >= progress) {
+      while (knot > begin && words[3 * knot - 3] >>> 16 >= progress) {
         --knot;
       }
       places[i] = knot;
@@ -69,17 +69,20 @@ class SurfaceLookup {
         distances[i] = -1;
         continue;
       }
-      const word = words[2 * knot];
+      const word = words[3 * knot];
       let n = 3 * (middle + ((word << 16) >> 24) * side + ((word << 24) >> 24));
-      let x = table[n], y = table[n + 1], z = table[n + 2], distance = words[2 * knot + 1];
+      let x = table[n], y = table[n + 1], z = table[n + 2], distance = words[3 * knot + 1];
       if (knot > begin) {
-        const before = words[2 * knot - 2], from = before >>> 16;
-        const rest = 1 - (progress - from) / ((word >>> 16) - from);
+        const before = words[3 * knot - 3], from = before >>> 16, half = words[3 * knot + 2];
+        const share = (progress - from) / ((word >>> 16) - from), rest = 1 - share;
+        // A parabola through the normals at both ends and half way.
+        const a = rest * (rest - share), b = 4 * share * rest, c = share * (share - rest);
+        const m = 3 * (middle + ((half << 16) >> 24) * side + ((half << 24) >> 24));
         n = 3 * (middle + ((before << 16) >> 24) * side + ((before << 24) >> 24));
-        x += rest * (table[n] - x);
-        y += rest * (table[n + 1] - y);
-        z += rest * (table[n + 2] - z);
-        distance += rest * (words[2 * knot - 1] - distance);
+        x = a * table[n] + b * table[m] + c * x;
+        y = a * table[n + 1] + b * table[m + 1] + c * y;
+        z = a * table[n + 2] + b * table[m + 2] + c * z;
+        distance += rest * (words[3 * knot - 2] - distance);
         const scale = 1 / Math.sqrt(x * x + y * y + z * z);
         x *= scale;
         y *= scale;

@@ -1,6 +1,5 @@
-// Unpacks the knots of a view. A knot takes three words: progress in the upper half of the first,
-// the normal's octahedral coordinates in its lower bytes; the distance; in the lower bytes of the
-// third, the normal half way from the knot before.
+// Unpacks the knots of a view: `progress` of each, and two words of `data`: its distance, and four
+// bytes with the octahedral coordinates of its normal and of the one half way from the knot before.
 
 // Inflates a section; never beyond the size that it says.
 async function unpack(sections, section) {
@@ -78,30 +77,29 @@ class Streams {
 let fitDistance = 0, fitU = 0, fitV = 0;
 
 // The fit at a progress, of a ray whose first knot of at least this progress is `at`.
-function fit(words, begin, end, at, progress, isJump) {
+function fit({ progress, data }, begin, end, at, wanted, isJump) {
   if (at === end) {
     return false;
   }
-  let word = words[3 * at];
-  if (word >>> 16 === progress) {
-    while (isJump && at + 1 < end && words[3 * at + 3] >>> 16 === progress) {
+  if (progress[at] === wanted) {
+    while (isJump && at + 1 < end && progress[at + 1] === wanted) {
       ++at;
     }
-    word = words[3 * at];
-    fitDistance = words[3 * at + 1];
-    fitU = (word << 16) >> 24;
-    fitV = (word << 24) >> 24;
+    const normal = data[2 * at + 1];
+    fitDistance = data[2 * at];
+    fitU = normal >> 24;
+    fitV = (normal << 8) >> 24;
     return true;
   }
   if (at === begin) {
     return false;
   }
-  const before = words[3 * at - 3], from = before >>> 16;
-  const share = progress - from, gained = (word >>> 16) - from;
-  const a = words[3 * at - 2], u = (before << 16) >> 24, v = (before << 24) >> 24;
-  fitDistance = a + Math.floor((words[3 * at + 1] - a) * share / gained);
-  fitU = u + Math.floor((((word << 16) >> 24) - u) * share / gained);
-  fitV = v + Math.floor((((word << 24) >> 24) - v) * share / gained);
+  const share = wanted - progress[at - 1], gained = progress[at] - progress[at - 1];
+  const before = data[2 * at - 1], behind = data[2 * at + 1], distance = data[2 * at - 2];
+  const u = before >> 24, v = (before << 8) >> 24;
+  fitDistance = distance + Math.floor((data[2 * at] - distance) * share / gained);
+  fitU = u + Math.floor(((behind >> 24) - u) * share / gained);
+  fitV = v + Math.floor((((behind << 8) >> 24) - v) * share / gained);
   return true;
 }
 
@@ -124,7 +122,8 @@ function readCounts(streams, view, chunk, start) {
 }
 
 // Decodes a chunk. `start` is known up to its first pixel.
-function decodeChunk(bytes, view, chunk, start, words) {
+function decodeChunk(bytes, view, chunk, knots) {
+  const { start, progress: places, data } = knots;
   const streams = new Streams(bytes, chunk.knots);
   readCounts(streams, view, chunk, start);
   const width = view.size[0], first = chunk.first * width, end = first + chunk.rows * width;
@@ -145,14 +144,14 @@ function decodeChunk(bytes, view, chunk, start, words) {
     let leftNext = leftBegin, leftAt = leftBegin, belowNext = belowBegin, belowAt = belowBegin;
     let diagonalAt = diagonalBegin, last = -1, wasJump = false, distance = 0, u = 0, v = 0;
     for (let knot = begin; knot < ends; ++knot, ++token, ++normal) {
-      while (leftNext < leftEnd && words[3 * leftNext] >>> 16 <= last) {
+      while (leftNext < leftEnd && places[leftNext] <= last) {
         ++leftNext;
       }
-      while (belowNext < belowEnd && words[3 * belowNext] >>> 16 <= last) {
+      while (belowNext < belowEnd && places[belowNext] <= last) {
         ++belowNext;
       }
-      const leftProgress = leftNext < leftEnd ? words[3 * leftNext] >>> 16 : -1;
-      const belowProgress = belowNext < belowEnd ? words[3 * belowNext] >>> 16 : -1;
+      const leftProgress = leftNext < leftEnd ? places[leftNext] : -1;
+      const belowProgress = belowNext < belowEnd ? places[belowNext] : -1;
       const kind = bytes[token];
       let progress = -1;
       if (kind === 0) {
@@ -170,20 +169,20 @@ function decodeChunk(bytes, view, chunk, start, words) {
         "A chunk is damaged: a knot is impossible.");
       wasJump = isJump;
 
-      while (leftAt < leftEnd && words[3 * leftAt] >>> 16 < progress) {
+      while (leftAt < leftEnd && places[leftAt] < progress) {
         ++leftAt;
       }
-      while (belowAt < belowEnd && words[3 * belowAt] >>> 16 < progress) {
+      while (belowAt < belowEnd && places[belowAt] < progress) {
         ++belowAt;
       }
-      while (diagonalAt < diagonalEnd && words[3 * diagonalAt] >>> 16 < progress) {
+      while (diagonalAt < diagonalEnd && places[diagonalAt] < progress) {
         ++diagonalAt;
       }
-      const fitsDiagonal = fit(words, diagonalBegin, diagonalEnd, diagonalAt, progress, isJump);
+      const fitsDiagonal = fit(knots, diagonalBegin, diagonalEnd, diagonalAt, progress, isJump);
       const diagonal = fitDistance;
-      const fitsLeft = fit(words, leftBegin, leftEnd, leftAt, progress, isJump);
+      const fitsLeft = fit(knots, leftBegin, leftEnd, leftAt, progress, isJump);
       const left = fitDistance, leftU = fitU, leftV = fitV;
-      const fitsBelow = fit(words, belowBegin, belowEnd, belowAt, progress, isJump);
+      const fitsBelow = fit(knots, belowBegin, belowEnd, belowAt, progress, isJump);
       const below = fitDistance, belowU = fitU, belowV = fitV;
       const begins = last < 0, lastU = u, lastV = v;
       let expected = 0;
@@ -194,7 +193,7 @@ function decodeChunk(bytes, view, chunk, start, words) {
         expected = fitsLeft ? left : fitsBelow ? below : last >= 0 ? distance + 8 : 0;
       }
       distance = expected + streams.number(3);
-      require(distance >= 0 && distance < 2 ** 32, "A chunk is damaged: a knot is impossible.");
+      require(distance >= 0 && distance < 2 ** 31, "A chunk is damaged: a knot is impossible.");
       const takesLeft = fitsLeft && Math.abs(left - distance) < 40;
       const takesBelow = fitsBelow && Math.abs(below - distance) < 40;
       if (takesLeft && takesBelow) {
@@ -211,9 +210,9 @@ function decodeChunk(bytes, view, chunk, start, words) {
       v = (v + bytes[normal + chunk.knots]) << 24 >> 24;
       const middleU = bytes[normal + 2 * chunk.knots] + (begins || isJump ? u : (lastU + u) >> 1);
       const middleV = bytes[normal + 3 * chunk.knots] + (begins || isJump ? v : (lastV + v) >> 1);
-      words[3 * knot] = (progress << 16) | ((u & 255) << 8) | (v & 255);
-      words[3 * knot + 1] = distance;
-      words[3 * knot + 2] = ((middleU & 255) << 8) | (middleV & 255);
+      places[knot] = progress;
+      data[2 * knot] = distance;
+      data[2 * knot + 1] = (u << 24) | ((v & 255) << 16) | ((middleU & 255) << 8) | (middleV & 255);
       last = progress;
     }
   }
@@ -224,7 +223,9 @@ function decodeChunk(bytes, view, chunk, start, words) {
 async function decodeDirection(view, direction, sections, pause) {
   const pixels = view.size[0] * view.size[1];
   const start = new Uint32Array(pixels + 1);
-  const words = new Uint32Array(3 * view.knots[direction]);
+  const progress = new Uint16Array(view.knots[direction]);
+  const data = new Int32Array(2 * view.knots[direction]);
+  const knots = { start, progress, data };
   let done = 0; // pixels whose start is known
   const goTo = (pixel) => {
     start.fill(start[done], done, pixel + 1);
@@ -232,12 +233,12 @@ async function decodeDirection(view, direction, sections, pause) {
   };
   for (const chunk of view.chunks.filter((each) => each.direction === direction)) {
     goTo(chunk.first * view.size[0]);
-    decodeChunk(await unpack(sections, chunk), view, chunk, start, words);
+    decodeChunk(await unpack(sections, chunk), view, chunk, knots);
     done = (chunk.first + chunk.rows) * view.size[0];
     await pause();
   }
   goTo(pixels);
-  return { start, words };
+  return knots;
 }
 
 function decodeEntries(bytes, width) {

@@ -7,15 +7,22 @@ class SurfaceLookup {
     this.view = view;
     this.knots = knots;
     this.pixels = pixels;
-    this.places = { rising: this.firstPlaces("rising"), falling: this.firstPlaces("falling") };
+    this.begins = { rising: this.beginsOf("rising"), falling: this.beginsOf("falling") };
+    this.places = { rising: this.begins.rising.slice(), falling: this.begins.falling.slice() };
     this.distances = new Float32Array(pixels.length); // -1: no surface
     this.normals = new Float32Array(3 * pixels.length);
     this.table = normalsOf(view.normalSteps);
   }
 
-  firstPlaces(direction) {
-    const { start } = this.knots[direction];
-    return this.view.knots[direction] > 0 ? this.pixels.map((pixel) => start[pixel]) : null;
+  // Where the knots of each of `pixels` begin. Between them no pixel has knots.
+  beginsOf(direction) {
+    const { start } = this.knots[direction], count = this.pixels.length;
+    const begins = new Uint32Array(count + 1);
+    for (let i = 0; i < count; ++i) {
+      begins[i] = start[this.pixels[i]];
+    }
+    begins[count] = this.view.knots[direction];
+    return begins;
   }
 
   // The progress of an isovalue in a direction, in steps.
@@ -41,27 +48,21 @@ class SurfaceLookup {
   // \param isMeant tells by its entry whether a pixel is looked up; null: all are
   lookUpIn(direction, progress, isMeant) {
     const { pixels, distances, normals, table, knots: { entries } } = this;
-    const { start, words } = this.knots[direction];
-    const places = this.places[direction];
-    if (!places) {
-      if (!isMeant) {
-        distances.fill(-1);
-      }
-      return;
-    }
-    const side = 2 * this.view.normalSteps + 1, middle = this.view.normalSteps * (side + 1);
+    const { progress: reached, data } = this.knots[direction];
+    const begins = this.begins[direction], places = this.places[direction];
+    const side = 2 * this.view.normalSteps + 1, middle = 3 * this.view.normalSteps * (side + 1);
+    const wanted = Math.ceil(progress); // knots have whole numbers
     const count = pixels.length, step = this.view.distanceStep;
     for (let i = 0; i < count; ++i) {
-      const pixel = pixels[i];
-      if (isMeant && !isMeant(entries[pixel])) {
+      if (isMeant && !isMeant(entries[pixels[i]])) {
         continue;
       }
-      const begin = start[pixel], end = start[pixel + 1];
+      const begin = begins[i], end = begins[i + 1];
       let knot = places[i];
-      while (knot < end && words[3 * knot] >>> 16 < progress) {
+      while (knot < end && reached[knot] < wanted) {
         ++knot;
       }
-      while (knot > begin && words[3 * knot - 3] >>> 16 >= progress) {
+      while (knot > begin && reached[knot - 1] >= wanted) {
         --knot;
       }
       places[i] = knot;
@@ -69,20 +70,20 @@ class SurfaceLookup {
         distances[i] = -1;
         continue;
       }
-      const word = words[3 * knot];
-      let n = 3 * (middle + ((word << 16) >> 24) * side + ((word << 24) >> 24));
-      let x = table[n], y = table[n + 1], z = table[n + 2], distance = words[3 * knot + 1];
+      const normal = data[2 * knot + 1];
+      let n = middle + 3 * ((normal >> 24) * side + ((normal << 8) >> 24));
+      let x = table[n], y = table[n + 1], z = table[n + 2], distance = data[2 * knot];
       if (knot > begin) {
-        const before = words[3 * knot - 3], from = before >>> 16, half = words[3 * knot + 2];
-        const share = (progress - from) / ((word >>> 16) - from), rest = 1 - share;
+        const from = reached[knot - 1], before = data[2 * knot - 1];
+        const share = (progress - from) / (reached[knot] - from), rest = 1 - share;
         // A parabola through the normals at both ends and half way.
         const a = rest * (rest - share), b = 4 * share * rest, c = share * (share - rest);
-        const m = 3 * (middle + ((half << 16) >> 24) * side + ((half << 24) >> 24));
-        n = 3 * (middle + ((before << 16) >> 24) * side + ((before << 24) >> 24));
+        const m = middle + 3 * (((normal << 16) >> 24) * side + ((normal << 24) >> 24));
+        n = middle + 3 * ((before >> 24) * side + ((before << 8) >> 24));
         x = a * table[n] + b * table[m] + c * x;
         y = a * table[n + 1] + b * table[m + 1] + c * y;
         z = a * table[n + 2] + b * table[m + 2] + c * z;
-        distance += rest * (words[3 * knot - 2] - distance);
+        distance += rest * (data[2 * knot - 2] - distance);
         const scale = 1 / Math.sqrt(x * x + y * y + z * z);
         x *= scale;
         y *= scale;

@@ -12,7 +12,7 @@ class Picture {
     [canvas.width, canvas.height] = view.size;
     this.context = canvas.getContext("2d", { alpha: false });
     this.image = this.context.createImageData(...view.size);
-    this.words = new Uint32Array(this.image.data.buffer);
+    this.words = new Int32Array(this.image.data.buffer);
     this.background = this.backgroundOf();
     this.targets = this.pixels.map((pixel) => this.placeOf(pixel));
     this.words.set(this.background);
@@ -25,7 +25,7 @@ class Picture {
   }
 
   backgroundOf() {
-    const [width, height] = this.view.size, words = new Uint32Array(width * height);
+    const [width, height] = this.view.size, words = new Int32Array(width * height);
     const bytes = new Uint8ClampedArray(words.buffer);
     const bottom = this.header.background, top = this.header.background2 ?? bottom;
     for (let row = 0; row < height; ++row) {
@@ -59,8 +59,7 @@ class Picture {
     const { words, targets, background } = this, count = targets.length;
     for (let i = 0; i < count; ++i) {
       const target = targets[i];
-      words[target] = distances[i] < 0 ? background[target]
-        : colors[3 * i] | (colors[3 * i + 1] << 8) | (colors[3 * i + 2] << 16) | 0xff000000;
+      words[target] = distances[i] < 0 ? background[target] : colors[i];
     }
   }
 
@@ -87,9 +86,10 @@ class Picture {
         }
       }
       for (const { colors, opacity } of order) {
-        r += opacity * (colors[3 * i] - r);
-        g += opacity * (colors[3 * i + 1] - g);
-        b += opacity * (colors[3 * i + 2] - b);
+        const color = colors[i];
+        r += opacity * ((color & 255) - r);
+        g += opacity * (((color >> 8) & 255) - g);
+        b += opacity * (((color >> 16) & 255) - b);
       }
       bytes[4 * target] = r;
       bytes[4 * target + 1] = g;

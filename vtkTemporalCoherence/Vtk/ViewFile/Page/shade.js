@@ -26,6 +26,14 @@ function normalized(vector) {
   return vector.map((value) => value / length);
 }
 
+// A colour in one word. Channels go from 0 to 255; those beyond are clamped.
+function packed(red, green, blue) {
+  const r = red < 255 ? (red + 0.5) | 0 : 255;
+  const g = green < 255 ? (green + 0.5) | 0 : 255;
+  const b = blue < 255 ? (blue + 0.5) | 0 : 255;
+  return (r > 0 ? r : 0) | ((g > 0 ? g : 0) << 8) | ((b > 0 ? b : 0) << 16) | 0xff000000;
+}
+
 // A table of powers of numbers from 0 to 1.
 function powersOf(power) {
   const table = new Float32Array(1025);
@@ -40,7 +48,7 @@ class Shader {
   constructor(view, pixels) {
     this.view = view;
     this.pixels = pixels;
-    this.colors = new Uint8ClampedArray(3 * pixels.length);
+    this.colors = new Int32Array(pixels.length); // 8 bits each, red lowest; opaque
   }
 
   // Sets `colors` for the hits of a lookup.
@@ -48,7 +56,7 @@ class Shader {
     const { distances } = lookup;
     if (!material.shade) {
       for (let i = 0; i < distances.length; ++i) {
-        this.colors.set([255 * color[0], 255 * color[1], 255 * color[2]], 3 * i);
+        this.colors[i] = packed(255 * color[0], 255 * color[1], 255 * color[2]);
       }
       return;
     }
@@ -115,9 +123,7 @@ class Shader {
           }
         }
       }
-      colors[3 * i] = r;
-      colors[3 * i + 1] = g;
-      colors[3 * i + 2] = b;
+      colors[i] = packed(r, g, b);
     }
   }
 
@@ -149,9 +155,7 @@ class Shader {
             shine * Math.max(material.specular, 0) * light.specular[c];
         }
       }
-      for (let c = 0; c < 3; ++c) {
-        colors[3 * i + c] = 255 * sum[c];
-      }
+      colors[i] = packed(255 * sum[0], 255 * sum[1], 255 * sum[2]);
     }
   }
 }

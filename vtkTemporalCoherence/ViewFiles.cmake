@@ -2,7 +2,7 @@
 # libraries the module is built, and says that it cannot write views.
 find_package(nlohmann_json QUIET)
 find_package(ZLIB QUIET)
-set(view_file_files CinemaWriter DescriptionFromVolume KnotChunk ViewLookUp ViewMaker ViewPage WholeFile)
+set(view_file_files CinemaWriter DescriptionFromVolume KnotChunk ViewLookUp ViewMaker ViewPage ViewPoster WholeFile)
 set(view_file_libraries)
 if (nlohmann_json_FOUND AND ZLIB_FOUND)
   list(APPEND view_file_files ViewFile ViewHeader ViewHeaderParts ZlibBytes)

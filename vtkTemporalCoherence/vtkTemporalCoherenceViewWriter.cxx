@@ -7,6 +7,7 @@
 #include "ViewFile/ViewFile.h"
 #include "ViewFile/ViewMaker.h"
 #include "ViewFile/ViewPage.h"
+#include "ViewFile/ViewPoster.h"
 #include "ViewFile/WholeFile.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
@@ -112,15 +113,19 @@ public:
     {
       return false;
     }
-    const TemporalCoherence::ValueBand range = this->RangeOf(key);
+    auto& mapper = *this->Mapper->Internal;
+    const vtkTemporalCoherenceVolumeMapper::Internals::Reading reading(request);
+    const vtkTemporalCoherenceVolumeMapper::Internals::Busy busy(mapper);
     TemporalCoherence::KnotImage knots;
-    if (!this->Maker.Make(key, range, report, knots, this->Error))
+    const bool isMade = this->Maker.Make(key, this->RangeOf(key), report, knots, this->Error);
+    if (isMade && this->Views == 0)
+    {
+      this->Describe(key, knots.Values);
+    }
+    this->Error = this->Error.empty() ? reading.Mistake() : this->Error;
+    if (!isMade || !this->Error.empty())
     {
       return false;
-    }
-    if (this->Views == 0)
-    {
-      this->Describe(key);
     }
     TemporalCoherence::ViewGeometry geometry =
       TemporalCoherence::GeometryOf(key, this->Renderer, this->Writer->Tolerance);
@@ -133,6 +138,7 @@ public:
 
   TemporalCoherence::ViewFileMaker File;
   TemporalCoherence::ViewDescription Description;
+  std::vector<std::uint8_t> Poster; ///< of the first view
   std::size_t Knots = 0;
   std::string Error;
 
@@ -155,7 +161,8 @@ private:
       this->Mapper->Update();
     }
     const glm::ivec2 size(this->Writer->Size[0], this->Writer->Size[1]);
-    vtkTemporalCoherenceVolumeMapper::Internals::SharedProgress progress({});
+    vtkTemporalCoherenceVolumeMapper::Internals::SharedProgress progress(
+      [](double /*done*/) { return true; });
     return internal.MakeRequest(this->Volume,
       { this->Renderer, size, static_cast<double>(size.x) / size.y }, progress, request,
       this->Error);
@@ -176,13 +183,15 @@ private:
     return { this->Surfaces.IsovalueAt(leftOut), this->Surfaces.IsovalueAt(1.0 - leftOut) };
   }
 
-  void Describe(const TemporalCoherence::FrameKey& key)
+  void Describe(const TemporalCoherence::FrameKey& key, const TemporalCoherence::ValueBand& range)
   {
     this->Description.Texts = { this->Writer->Title, this->Writer->Caption, this->Writer->Citation,
       {}, this->Writer->Units };
     this->Description.Look =
       TemporalCoherence::LookOf(key, this->Surfaces, this->Renderer, this->Volume);
     this->Description.Histogram = { this->Surfaces.Range, this->Surfaces.Counts };
+    this->Poster = TemporalCoherence::PosterOf(
+      this->Maker.Draw(key, this->Description.Look.Surfaces, range), this->Description.Look);
   }
 
   vtkTemporalCoherenceViewWriter* Writer;
@@ -312,7 +321,7 @@ bool vtkTemporalCoherenceViewWriter::WriteView(
     std::vector<std::uint8_t> bytes = views.File.Finish(views.Description);
     if (isPage)
     {
-      bytes = TemporalCoherence::PageOf(bytes, views.Description.Texts);
+      bytes = TemporalCoherence::PageOf(bytes, views.Poster, views.Description.Texts);
     }
     error = isDatabase ? TemporalCoherence::WriteCinema(file, bytes, this->NumberOfIsovalues,
                            TemporalCoherence::PartOf(report, shareOfKnots, 1.0))

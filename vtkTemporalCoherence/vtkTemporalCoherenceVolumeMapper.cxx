@@ -247,6 +247,7 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
   using Outcome = TemporalCoherence::Isomap::Outcome;
   Outcome outcome = Outcome::Impossible;
   {
+    const Internals::Reading reading(request);
     const Internals::Busy busy(internal);
     outcome = internal.Frames.BuildIsomap(TemporalCoherence::Viewer::Of(renderer, volume), request,
       TemporalCoherence::OptionsOf(this, false), progress.OfRest(), error);

@@ -30,29 +30,6 @@ bool IsHeard(vtkTemporalCoherenceVolumeMapper& mapper, vtkRenderWindow* window)
     (window && (window->GetAbortRender() || window->HasObserver(vtkCommand::AbortCheckEvent)));
 }
 
-/// Tell volumes that are read as they are needed that a frame begins.
-void BeginReading(const TemporalCoherence::FrameRequest& request)
-{
-  for (const auto& volume : request.Volumes)
-  {
-    volume->BeginFrame();
-  }
-}
-
-/// Tell them that it ended.
-/// \return what could not be read; empty: all could
-std::string EndReading(const TemporalCoherence::FrameRequest& request)
-{
-  const TemporalCoherence::FrameKey& key = request.Key;
-  std::string mistake;
-  for (const auto& volume : request.Volumes)
-  {
-    mistake = mistake.empty() ? volume->Mistake() : mistake;
-    volume->EndFrame(key.IsBlended() ? std::vector<double>() : key.Isosurfaces().Isovalues);
-  }
-  return mistake;
-}
-
 /// The time that a frame in a window takes at most to read samples in bricks, if others follow.
 constexpr std::chrono::milliseconds TimeToRead(80);
 
@@ -102,6 +79,38 @@ TemporalCoherence::FewerRays vtkTemporalCoherenceVolumeMapper::Internals::Choose
     { return std::chrono::duration<double>(Clock::now() - begin).count() / until; };
   }
   return fewer;
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceVolumeMapper::Internals::Reading::Reading(
+  const TemporalCoherence::FrameRequest& request)
+  : Request(request)
+{
+  for (const auto& volume : request.Volumes)
+  {
+    volume->BeginFrame();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceVolumeMapper::Internals::Reading::~Reading()
+{
+  const TemporalCoherence::FrameKey& key = this->Request.Key;
+  for (const auto& volume : this->Request.Volumes)
+  {
+    volume->EndFrame(key.IsBlended() ? std::vector<double>() : key.Isosurfaces().Isovalues);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTemporalCoherenceVolumeMapper::Internals::Reading::Mistake() const
+{
+  std::string mistake;
+  for (const auto& volume : this->Request.Volumes)
+  {
+    mistake = mistake.empty() ? volume->Mistake() : mistake;
+  }
+  return mistake;
 }
 
 //------------------------------------------------------------------------------
@@ -165,8 +174,9 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
   options.Fewer = fewer;
   options.Reading = this->ChooseReading(request, window);
   bool isMade = false;
-  BeginReading(request);
+  std::string mistake;
   {
+    const Reading reading(request);
     const Busy busy(*this);
     isMade = this->Frames.Render(
       TemporalCoherence::Viewer::Of(renderer, volume), request, options, progress.OfRest(), error);
@@ -181,8 +191,8 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
       }
       this->LastError.clear();
     }
+    mistake = reading.Mistake();
   }
-  const std::string mistake = EndReading(request);
   this->ReportOnce(error);
   if (mistake != this->LastMistake)
   {

@@ -60,6 +60,22 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     Internals& Of;
   };
 
+  /// Tells volumes that are read as they are needed that a frame begins, and then that it ended.
+  class Reading
+  {
+  public:
+    explicit Reading(const TemporalCoherence::FrameRequest& request);
+    ~Reading();
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+
+    /// What could not be read; empty: all could.
+    std::string Mistake() const;
+
+  private:
+    const TemporalCoherence::FrameRequest& Request;
+  };
+
   /// Progress of the whole work. If a mesh is set up first, that takes the first half.
   class SharedProgress
   {

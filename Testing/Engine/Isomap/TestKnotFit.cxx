@@ -56,7 +56,7 @@ std::vector<Place> FitOf(const Way& way, double tolerance, double step = FinestS
   constexpr double lowest = -0.1;
   const double stepOfDistance = tolerance / KnotGrid::StepsOfTolerance;
   std::vector<Place> knots;
-  const auto emit = [&](const Knot& knot) {
+  const auto emit = [&](const Knot& knot, const KnotPlaces& /*places*/) {
     knots.push_back({ lowest + step * knot.Progress, stepOfDistance * knot.Distance });
   };
   KnotFit fit;

@@ -63,7 +63,8 @@ view_page_function(ViewPageEnd "${view_page_end}" view_page_end)
 file(CONFIGURE OUTPUT "${view_page_source}" @ONLY CONTENT
   "// Made by Page.cmake from the files in Page.\n#include \"ViewPageParts.h\"\n\nnamespace TemporalCoherence\n{\n\n@view_page_begin@\n@view_page_end@\n}\n")
 file(CONFIGURE OUTPUT "${view_page_includes}/ViewPageParts.h" @ONLY CONTENT
-  "// Made by Page.cmake.\n#ifndef TemporalCoherence_ViewPageParts_h\n#define TemporalCoherence_ViewPageParts_h\n\n#include <string>\n\nnamespace TemporalCoherence\n{\n\n/// The page before the data. @TITLE@ and @DESCRIPTION@ are to be replaced.\nstd::string ViewPageBegin();\n/// The page behind the data.\nstd::string ViewPageEnd();\n\n}\n\n#endif\n")
+  "// Made by Page.cmake.\n#ifndef TemporalCoherence_ViewPageParts_h\n#define TemporalCoherence_ViewPageParts_h\n\n#include <string>\n\nnamespace TemporalCoherence\n{\n\n/// The page before the data. @TITLE@, @CAPTION@, @CITATION@ and @POSTER@ are to be
+/// replaced.\nstd::string ViewPageBegin();\n/// The page behind the data.\nstd::string ViewPageEnd();\n\n}\n\n#endif\n")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   "${view_page_folder}/view.html" "${view_page_folder}/view.css")
 foreach (part IN LISTS view_page_scripts)

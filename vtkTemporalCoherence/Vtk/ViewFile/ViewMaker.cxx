@@ -102,4 +102,32 @@ bool ViewMaker::Make(const FrameKey& key, const ValueBand& range, const ReportPr
   return true;
 }
 
+const Frame& ViewMaker::Draw(
+  const FrameKey& key, const std::vector<ViewSurface>& surfaces, const ValueBand& range)
+{
+  FrameKey plain = key;
+  Surfaces shown;
+  plain.Appearance.Colors.clear();
+  for (const ViewSurface& surface : surfaces)
+  {
+    const double isovalue = std::min(std::max(surface.Isovalue, range.Low), range.High);
+    if (std::count(shown.Isovalues.begin(), shown.Isovalues.end(), isovalue) > 0)
+    {
+      continue;
+    }
+    shown.Isovalues.push_back(isovalue);
+    shown.Opacities.push_back(surface.Opacity);
+    plain.Appearance.Colors.push_back(surface.Color);
+  }
+  plain.Shown = shown;
+  plain.Appearance.ByArray = nullptr;
+  plain.Appearance.Occlusion = {};
+  for (Light& light : plain.Appearance.Lights)
+  {
+    light.CastsShadows = false;
+  }
+  this->Renderer.Render(plain, {});
+  return this->Renderer.LastFrame();
+}
+
 }

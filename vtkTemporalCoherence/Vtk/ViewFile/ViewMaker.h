@@ -7,8 +7,10 @@
 #include "Isomap/KnotImage.h"
 #include "Render/FrameRenderer.h"
 #include "Scene/Progress.h"
+#include "ViewFile/ViewDescription.h"
 
 #include <string>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -38,6 +40,12 @@ public:
   /// \throws std::bad_alloc
   bool Make(const FrameKey& key, const ValueBand& range, const ReportProgress& report,
     KnotImage& knots, std::string& error);
+
+  /// Make the picture of surfaces, lit as pages light them: without shadows.
+  /// \param range to which isovalues are limited
+  /// \throws std::bad_alloc
+  const Frame& Draw(
+    const FrameKey& key, const std::vector<ViewSurface>& surfaces, const ValueBand& range);
 
 private:
   static FrameKey WithoutLook(const FrameKey& key, double isovalue);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string_view>
 
 namespace TemporalCoherence
@@ -106,24 +107,39 @@ std::string Escaped(const std::string& text)
   return escaped;
 }
 
-/// Replace the first mark by a text.
-void Fill(std::string_view mark, const std::string& text, std::string& page)
+/// A page with texts in the place of its marks. Marks in these texts stay.
+std::string Filled(const std::string& page, const std::map<std::string_view, std::string>& texts)
 {
-  const std::size_t at = page.find(mark);
-  if (at != std::string::npos)
+  std::string filled;
+  std::size_t done = 0;
+  for (std::size_t at = page.find('@'); at != std::string::npos; at = page.find('@', at))
   {
-    page.replace(at, mark.size(), text);
+    const std::size_t end = page.find('@', at + 1);
+    const auto text = end == std::string::npos
+      ? texts.end()
+      : texts.find(std::string_view(page).substr(at, end + 1 - at));
+    if (text == texts.end())
+    {
+      ++at;
+      continue;
+    }
+    filled.append(page, done, at - done);
+    filled += text->second;
+    done = at = end + 1;
   }
+  return filled.append(page, done);
 }
 
 }
 
-Bytes PageOf(const Bytes& file, const ViewTexts& texts)
+Bytes PageOf(const Bytes& file, const Bytes& poster, const ViewTexts& texts)
 {
-  std::string begin = ViewPageBegin();
-  // The later mark first: a title may hold the other one.
-  Fill("@DESCRIPTION@", Escaped(texts.Caption), begin);
-  Fill("@TITLE@", Escaped(texts.Title.empty() ? "Isosurfaces" : texts.Title), begin);
+  Bytes picture;
+  AppendBase64(poster, picture);
+  const std::string begin = Filled(ViewPageBegin(),
+    { { "@TITLE@", Escaped(texts.Title.empty() ? "Isosurfaces" : texts.Title) },
+      { "@CAPTION@", Escaped(texts.Caption) }, { "@CITATION@", Escaped(texts.Citation) },
+      { "@POSTER@", { picture.begin(), picture.end() } } });
   Bytes page(begin.begin(), begin.end());
   AppendBase64(file, page);
   const std::string end = ViewPageEnd();

@@ -13,8 +13,10 @@ namespace TemporalCoherence
 {
 
 /// The page that shows a view file, with the file in it.
+/// \param poster PNG file that it shows while it opens, and without scripts
 /// \throws std::bad_alloc
-std::vector<std::uint8_t> PageOf(const std::vector<std::uint8_t>& file, const ViewTexts& texts);
+std::vector<std::uint8_t> PageOf(const std::vector<std::uint8_t>& file,
+  const std::vector<std::uint8_t>& poster, const ViewTexts& texts);
 
 /// True if bytes begin like a page.
 bool IsPage(const std::vector<std::uint8_t>& bytes);

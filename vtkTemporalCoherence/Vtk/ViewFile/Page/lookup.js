@@ -1,99 +1,104 @@
 // Looks isovalues up in the knots of a view. A drag moves an isovalue little, so each pixel keeps
-// the place of its last knot.
+// the piece of its fit where it was last, ready to be evaluated.
+
+// The numbers of a piece. With the share t of its progress, its distance is DISTANCE + t GAIN, and
+// its normal lies along the parabola NORMAL + t (LINEAR + t SQUARE), of three numbers each.
+const [SCALE, DISTANCE, GAIN, NORMAL, LINEAR, SQUARE, PIECE] = [0, 1, 2, 3, 6, 9, 12];
+
+// The kinds of pieces: a bit for the direction, and one for pieces without a surface.
+const FALLING = 1, MISSED = 2;
 
 class SurfaceLookup {
   // `pixels` are those that have knots.
   constructor(view, knots, pixels) {
     this.view = view;
-    this.knots = knots;
+    this.knots = [knots.rising, knots.falling];
     this.pixels = pixels;
-    this.begins = { rising: this.beginsOf("rising"), falling: this.beginsOf("falling") };
-    this.places = { rising: this.begins.rising.slice(), falling: this.begins.falling.slice() };
+    this.entries = knots.entries && pixels.map((pixel) => knots.entries[pixel]);
+    // A piece holds for bounds[2 i] < progress <= bounds[2 i + 1]: at first, for none.
+    this.bounds = new Uint16Array(2 * pixels.length);
+    this.kinds = new Uint8Array(pixels.length);
+    this.pieces = new Float32Array(PIECE * pixels.length);
     this.distances = new Float32Array(pixels.length); // -1: no surface
-    this.normals = new Float32Array(3 * pixels.length);
+    this.normals = new Float32Array(3 * pixels.length); // of any length
     this.table = normalsOf(view.normalSteps);
-  }
-
-  // Where the knots of each of `pixels` begin. Between them no pixel has knots.
-  beginsOf(direction) {
-    const { start } = this.knots[direction], count = this.pixels.length;
-    const begins = new Uint32Array(count + 1);
-    for (let i = 0; i < count; ++i) {
-      begins[i] = start[this.pixels[i]];
-    }
-    begins[count] = this.view.knots[direction];
-    return begins;
-  }
-
-  // The progress of an isovalue in a direction, in steps.
-  progressOf(direction, isovalue) {
-    const [low, high] = this.view.range, { margin, step } = this.view.progress;
-    const difference = isovalue - low;
-    return margin + (direction === "rising" ? difference : high - low - difference) / step;
   }
 
   // Distances and normals of an isovalue, for each of `pixels`.
   lookUp(isovalue) {
-    const { entries } = this.knots;
-    const rising = this.progressOf("rising", isovalue);
-    if (!entries) {
-      this.lookUpIn("rising", rising, null, rising);
-      return;
+    const { bounds, kinds, pieces, distances, normals, entries } = this;
+    const [low, high] = this.view.range, { margin, step } = this.view.progress;
+    const rising = margin + (isovalue - low) / step;
+    const falling = margin + (high - low - (isovalue - low)) / step;
+    const count = distances.length;
+    for (let i = 0; i < count; ++i) {
+      const direction = entries !== null && entries[i] > rising ? FALLING : 0;
+      const progress = direction === 0 ? rising : falling;
+      if (!(bounds[2 * i] < progress && progress <= bounds[2 * i + 1]) ||
+          (kinds[i] & FALLING) !== direction) {
+        this.goTo(i, direction, progress);
+      }
+      if (kinds[i] >= MISSED) {
+        continue;
+      }
+      const piece = PIECE * i, share = (progress - bounds[2 * i]) * pieces[piece];
+      distances[i] = pieces[piece + DISTANCE] + share * pieces[piece + GAIN];
+      normals[3 * i] = pieces[piece + NORMAL] +
+        share * (pieces[piece + LINEAR] + share * pieces[piece + SQUARE]);
+      normals[3 * i + 1] = pieces[piece + NORMAL + 1] +
+        share * (pieces[piece + LINEAR + 1] + share * pieces[piece + SQUARE + 1]);
+      normals[3 * i + 2] = pieces[piece + NORMAL + 2] +
+        share * (pieces[piece + LINEAR + 2] + share * pieces[piece + SQUARE + 2]);
     }
-    this.distances.fill(-1);
-    this.lookUpIn("rising", rising, (entry) => !(entry > rising), rising);
-    this.lookUpIn("falling", this.progressOf("falling", isovalue), (entry) => entry > rising);
   }
 
-  // \param isMeant tells by its entry whether a pixel is looked up; null: all are
-  lookUpIn(direction, progress, isMeant) {
-    const { pixels, distances, normals, table, knots: { entries } } = this;
-    const { progress: reached, data } = this.knots[direction];
-    const begins = this.begins[direction], places = this.places[direction];
-    const side = 2 * this.view.normalSteps + 1, middle = 3 * this.view.normalSteps * (side + 1);
-    const wanted = Math.ceil(progress); // knots have whole numbers
-    const count = pixels.length, step = this.view.distanceStep;
-    for (let i = 0; i < count; ++i) {
-      if (isMeant && !isMeant(entries[pixels[i]])) {
-        continue;
+  // Keeps the piece of a pixel at a progress.
+  goTo(i, direction, progress) {
+    const { start, progress: reached } = this.knots[direction];
+    const begin = start[this.pixels[i]], end = start[this.pixels[i] + 1];
+    let knot = begin, behind = end;
+    while (knot < behind) {
+      const middle = (knot + behind) >>> 1;
+      if (reached[middle] < progress) {
+        knot = middle + 1;
+      } else {
+        behind = middle;
       }
-      const begin = begins[i], end = begins[i + 1];
-      let knot = places[i];
-      while (knot < end && reached[knot] < wanted) {
-        ++knot;
-      }
-      while (knot > begin && reached[knot - 1] >= wanted) {
-        --knot;
-      }
-      places[i] = knot;
-      if (knot === end) {
-        distances[i] = -1;
-        continue;
-      }
-      const normal = data[2 * knot + 1];
-      let n = middle + 3 * ((normal >> 24) * side + ((normal << 8) >> 24));
-      let x = table[n], y = table[n + 1], z = table[n + 2], distance = data[2 * knot];
-      if (knot > begin) {
-        const from = reached[knot - 1], before = data[2 * knot - 1];
-        const share = (progress - from) / (reached[knot] - from), rest = 1 - share;
-        // A parabola through the normals at both ends and half way.
-        const a = rest * (rest - share), b = 4 * share * rest, c = share * (share - rest);
-        const m = middle + 3 * (((normal << 16) >> 24) * side + ((normal << 24) >> 24));
-        n = middle + 3 * ((before >> 24) * side + ((before << 8) >> 24));
-        x = a * table[n] + b * table[m] + c * x;
-        y = a * table[n + 1] + b * table[m + 1] + c * y;
-        z = a * table[n + 2] + b * table[m + 2] + c * z;
-        distance += rest * (data[2 * knot - 2] - distance);
-        const scale = 1 / Math.sqrt(x * x + y * y + z * z);
-        x *= scale;
-        y *= scale;
-        z *= scale;
-      }
-      distances[i] = distance * step;
-      normals[3 * i] = x;
-      normals[3 * i + 1] = y;
-      normals[3 * i + 2] = z;
     }
+    this.bounds[2 * i] = knot > begin ? reached[knot - 1] : 0;
+    if (knot === end) {
+      this.bounds[2 * i + 1] = 65535;
+      this.kinds[i] = direction + MISSED;
+      this.distances[i] = -1;
+    } else {
+      this.bounds[2 * i + 1] = reached[knot];
+      this.kinds[i] = direction;
+      this.keep(PIECE * i, this.knots[direction], knot > begin ? knot - 1 : knot, knot);
+    }
+  }
+
+  // Writes the piece from a knot to another one; to itself, where it is the first of its pixel.
+  keep(piece, { progress: reached, data }, before, knot) {
+    const { pieces, table } = this;
+    const step = this.view.distanceStep, first = data[2 * before + 1], last = data[2 * knot + 1];
+    const a = this.placeOf(first >> 24, (first << 8) >> 24);
+    const b = this.placeOf(last >> 24, (last << 8) >> 24);
+    const m = before < knot ? this.placeOf((last << 16) >> 24, (last << 24) >> 24) : a;
+    pieces[piece + SCALE] = before < knot ? 1 / (reached[knot] - reached[before]) : 0;
+    pieces[piece + DISTANCE] = step * data[2 * before];
+    pieces[piece + GAIN] = step * (data[2 * knot] - data[2 * before]);
+    for (let c = 0; c < 3; ++c) {
+      const from = table[a + c], half = table[m + c], to = table[b + c];
+      pieces[piece + NORMAL + c] = from;
+      pieces[piece + LINEAR + c] = 4 * half - 3 * from - to;
+      pieces[piece + SQUARE + c] = 2 * (from - 2 * half + to);
+    }
+  }
+
+  // Where the unit vector of octahedral coordinates is in the table.
+  placeOf(u, v) {
+    const steps = this.view.normalSteps;
+    return 3 * ((u + steps) * (2 * steps + 1) + v + steps);
   }
 }
 

@@ -142,13 +142,7 @@ class Viewer {
     }
   }
 
-  tellTexts() {
-    const { header } = this;
-    if (header.title) {
-      byId("title").textContent = header.title;
-    }
-    byId("caption").textContent = header.caption;
-    byId("citation").textContent = header.citation;
+  tellAbout() {
     const [width, height] = this.view.size, [low, high] = this.view.range;
     byId("about").textContent = `${width} x ${height} pixels, isovalues from ` +
       `${this.withUnits(low)} to ${this.withUnits(high)}. Surfaces lie within ` +
@@ -177,10 +171,12 @@ async function start() {
     }
     element.remove();
     const viewer = new Viewer(readContainer(file));
-    viewer.tellTexts();
+    viewer.tellAbout();
     await viewer.open();
     viewer.controls = new Controls(viewer);
     viewer.controls.refresh();
+    byId("poster").remove();
+    byId("picture").hidden = false;
     byId("message").textContent = "";
     document.documentElement.dataset.state = "ready";
     // For scripts that embed this page, and for tests.

@@ -96,13 +96,13 @@ class Shader {
         bz = z0 + y * zy;
       }
       const x = perX * (pixel - rowBegin) + 1 / width - 1;
-      let vx = bx + x * xx, vy = by + x * yx, vz = bz + x * zx;
+      const vx = bx + x * xx, vy = by + x * yx, vz = bz + x * zx;
       let nx = normals[3 * i], ny = normals[3 * i + 1], nz = normals[3 * i + 2];
-      if (nx * vx + ny * vy + nz * vz > 0) {
-        nx = -nx;
-        ny = -ny;
-        nz = -nz;
-      }
+      const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+      const scale = (nx * vx + ny * vy + nz * vz > 0 ? -1 : 1) / length;
+      nx *= scale;
+      ny *= scale;
+      nz *= scale;
       const cosine = nx * lx + ny * ly + nz * lz;
       let r = ar, g = ag, b = ab;
       if (cosine > 0) {
@@ -135,7 +135,7 @@ class Shader {
         continue;
       }
       const { origin, direction, begin } = rays.of(pixels[i]);
-      let normal = [normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]];
+      let normal = normalized([normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]]);
       normal = dot(normal, direction) > 0 ? normal.map((value) => -value) : normal;
       const sum = color.map((value) => material.ambient * value);
       for (const light of lights) {

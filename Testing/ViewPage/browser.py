@@ -3,6 +3,7 @@
 """A browser that shows pages of views: mouse, keys and touch go in, pixels and depths come out."""
 
 import base64
+import math
 import pathlib
 import time
 
@@ -132,7 +133,7 @@ class Browser:
     def place_in(self, name, x, y):
         """The point of the window at shares of an element's width and height, from its upper left."""
         left, top, width, height = self.box(name)
-        return round(left + x * width), round(top + y * height)
+        return math.floor(left + x * width), math.floor(top + y * height)
 
     def drag(self, name, *places, pointer="mouse"):
         """Press at the first place of an element, move to the others, let go. Places are as in place_in()."""

@@ -6,6 +6,7 @@ import base64
 import re
 
 import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 from vtkTemporalCoherence import isosurface, numpy_to_image, render, save_view
@@ -31,6 +32,12 @@ def noise():
     random = numpy.random.default_rng(7)
     values = 900.0 * numpy.exp(-3.0 * (x * x + y * y + z * z)) + random.normal(0.0, 60.0, x.shape)
     return numpy_to_image(values.astype(numpy.int16))
+
+
+def ball():
+    """Isosurfaces are balls in one another. Double."""
+    z, y, x = _axes((28, 28, 28))
+    return numpy_to_image(1.0 - numpy.sqrt(x * x + y * y + z * z))
 
 
 def stretched():
@@ -61,6 +68,17 @@ class Scene:
         for share, color in colors:
             function.AddRGBPoint(low + share * (high - low), *color)
         self.volume.GetProperty().SetColor(function)
+
+    def set_inside_out(self):
+        """Change the sign of all values, so that rays meet the insides of surfaces."""
+        scalars = self.volume.GetMapper().GetInput().GetPointData().GetScalars()
+        values = vtk_to_numpy(scalars)
+        values *= -1
+        scalars.Modified()
+        self.range = (-self.range[1], -self.range[0])
+        contours = self.volume.GetProperty().GetIsoSurfaceValues()
+        self.set_colors(COLORS)
+        self.show([-contours.GetValue(i) for i in range(contours.GetNumberOfContours())])
 
     def show(self, isovalues, opacities=None):
         """Draw other surfaces."""
@@ -100,6 +118,22 @@ class Scene:
         """The picture over the background, (height, width, 3) of 0 to 255."""
         color = planes.color.astype(float)
         return color[..., :3] + (1.0 - color[..., 3:] / 255.0) * self.background()
+
+    def first_layers(self, surfaces):
+        """What pages show of surfaces: on each ray the first hit of each isovalue, from the back to the front. The
+        mapper shows all hits; hits and colours of one opaque surface are its."""
+        layers = []
+        for surface in surfaces:
+            self.show(surface["isovalue"])
+            planes = self.planes()
+            layers.append((planes.depth, planes.color[..., :3].astype(float), surface["opacity"]))
+        order = numpy.argsort([-depth for depth, _, _ in layers], axis=0, kind="stable")
+        colors = numpy.broadcast_to(self.background(), layers[0][1].shape).copy()
+        for place in range(len(layers)):
+            for index, (depth, color, opacity) in enumerate(layers):
+                is_next = (order[place] == index) & numpy.isfinite(depth)
+                colors[is_next] += opacity * (color - colors)[is_next]
+        return colors
 
 
 def share_of_other_colors(colors, others, most=4.0):

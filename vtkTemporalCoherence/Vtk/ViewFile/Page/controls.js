@@ -67,7 +67,9 @@ class Controls {
     this.watchButtons();
     this.watchLook();
     document.addEventListener("keydown", (event) => this.onKey(event));
+    // By the window, its scale, or a scroll bar.
     addEventListener("resize", () => viewer.drawHistogram());
+    new ResizeObserver(() => viewer.drawHistogram()).observe(byId("histogram"));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change",
       () => viewer.drawHistogram());
   }

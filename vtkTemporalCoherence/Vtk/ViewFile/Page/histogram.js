@@ -44,8 +44,10 @@ class Histogram {
       return;
     }
     const [first, last] = histogram.range, { counts } = histogram;
-    const heights = counts.map((count) => Math.log1p(count));
-    const most = Math.max(...heights) || 1, each = (last - first) / counts.length;
+    const each = (last - first) / counts.length;
+    const isSeen = (i) => first + (i + 1) * each > low && first + i * each < high;
+    const heights = counts.map((count, i) => (isSeen(i) ? Math.sqrt(count) : 0));
+    const most = Math.max(...heights) || 1;
     heights.forEach((bar, i) => {
       // Whole pixels: else a line shows between bars.
       const x = Math.round((first + i * each - low) / (high - low) * width);

@@ -49,8 +49,9 @@ class Histogram {
     const heights = counts.map((count, i) => (isSeen(i) ? Math.sqrt(count) : 0));
     const most = Math.max(...heights) || 1;
     heights.forEach((bar, i) => {
-      const x = (first + i * each - low) / (high - low) * width;
-      const end = (first + (i + 1) * each - low) / (high - low) * width;
+      // Whole pixels: else a line shows between bars.
+      const x = Math.round((first + i * each - low) / (high - low) * width);
+      const end = Math.round((first + (i + 1) * each - low) / (high - low) * width);
       context.fillRect(x, height * (1 - 0.95 * bar / most), Math.max(end - x, 1),
         height * 0.95 * bar / most);
     });

@@ -320,6 +320,10 @@ bool vtkTemporalCoherenceViewWriter::WriteView(
         return false;
       }
     }
+    if (this->AbortExecute)
+    {
+      return false;
+    }
     std::vector<std::uint8_t> bytes = views.File.Finish(views.Description);
     if (isPage)
     {
@@ -328,10 +332,17 @@ bool vtkTemporalCoherenceViewWriter::WriteView(
     error = isDatabase ? TemporalCoherence::WriteCinema(file, bytes, this->NumberOfIsovalues,
                            TemporalCoherence::PartOf(report, shareOfKnots, 1.0))
                        : TemporalCoherence::ReplaceFile(file, bytes);
-    this->BytesWritten = static_cast<vtkIdType>(bytes.size());
-    this->NumberOfKnots = static_cast<vtkIdType>(views.Knots);
-    this->WrittenRange[0] = views.Range.Low;
-    this->WrittenRange[1] = views.Range.High;
+    if (error.empty() && this->AbortExecute)
+    {
+      return false;
+    }
+    if (error.empty())
+    {
+      this->BytesWritten = static_cast<vtkIdType>(bytes.size());
+      this->NumberOfKnots = static_cast<vtkIdType>(views.Knots);
+      this->WrittenRange[0] = views.Range.Low;
+      this->WrittenRange[1] = views.Range.High;
+    }
   }
   catch (const std::bad_alloc&)
   {
@@ -342,7 +353,8 @@ bool vtkTemporalCoherenceViewWriter::WriteView(
     vtkErrorMacro(<< error);
     return false;
   }
-  return report(1.0) || true;
+  report(1.0);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,7 @@ namespace
 {
 
 constexpr const char* FileName = "views.tcview";
+constexpr const char* TableName = "data.csv";
 
 /// A number that reads back as the same. It has a point or an exponent: to Cinema, others are whole
 /// numbers, and a column has one type.
@@ -146,6 +147,112 @@ std::string NameOf(const char* kind, std::size_t view, int isovalue)
   return name;
 }
 
+/// Writes the images and the table of a database into an empty folder.
+class DatabaseWriter
+{
+public:
+  DatabaseWriter(const std::filesystem::path& folder, int isovalues)
+    : Folder(folder)
+    , Isovalues(isovalues)
+  {
+  }
+
+  /// \return false if an image cannot be written, or after a stop
+  bool WriteImages(const LoadedViews& views, const ReportProgress& report)
+  {
+    const auto count = static_cast<double>(views.Knots.size());
+    for (std::size_t view = 0; view < views.Knots.size(); ++view)
+    {
+      for (int i = 0; i < this->Isovalues; ++i)
+      {
+        if (!this->WriteIsovalue(views, view, i))
+        {
+          return false;
+        }
+        const double done = static_cast<double>(view) + (i + 1.0) / this->Isovalues;
+        this->IsStopped = report && !report(done / count);
+        if (this->IsStopped)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  std::string Table = "view,isovalue,depth_min,depth_max,FILE_depth,FILE_normal,FILE_view\n";
+  bool IsStopped = false;
+
+private:
+  bool WriteIsovalue(const LoadedViews& views, std::size_t view, int i)
+  {
+    const ViewEntry& entry = views.Header.Views[view];
+    const double isovalue = i + 1 == this->Isovalues
+      ? entry.Range.High
+      : glm::mix(entry.Range.Low, entry.Range.High, i / (this->Isovalues - 1.0));
+    LookUpView(entry.Geometry, views.Knots[view], isovalue, this->Picture);
+    ImageWriter images(this->Folder, this->Picture);
+    const std::string depth = NameOf("depth", view, i), normal = NameOf("normal", view, i);
+    this->Table += FieldOf(entry.Geometry.Name) + ',' + TextOf(isovalue) + ',' +
+      TextOf(images.RangeOfDepths().x) + ',' + TextOf(images.RangeOfDepths().y) + ',' + depth +
+      ',' + normal + ',' + FileName + '\n';
+    return images.WriteDepths(depth) && images.WriteNormals(normal);
+  }
+
+  std::filesystem::path Folder;
+  int Isovalues;
+  Frame Picture;
+};
+
+/// A folder beside that of a database, in which it is made. What is left of it is removed.
+class UnfinishedFolder
+{
+public:
+  explicit UnfinishedFolder(const std::filesystem::path& finished)
+    : Finished(finished)
+    , Place(finished)
+  {
+    this->Place += ".part";
+    std::error_code ignored;
+    std::filesystem::remove_all(this->Place, ignored);
+    std::filesystem::create_directories(this->Place, this->Failure);
+  }
+  ~UnfinishedFolder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(this->Place, ignored);
+  }
+  UnfinishedFolder(const UnfinishedFolder&) = delete;
+  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+
+  const std::filesystem::path& Path() const { return this->Place; }
+
+  /// Move all files to their place; the table last.
+  void Finish()
+  {
+    std::filesystem::create_directories(this->Finished, this->Failure);
+    std::vector<std::filesystem::path> names;
+    for (const auto& file : std::filesystem::directory_iterator(this->Place))
+    {
+      names.push_back(file.path().filename());
+    }
+    std::sort(names.begin(), names.end(),
+      [](const auto& a, const auto& b) { return a != TableName && (b == TableName || a < b); });
+    for (const std::filesystem::path& name : names)
+    {
+      if (!this->Failure)
+      {
+        std::filesystem::rename(this->Place / name, this->Finished / name, this->Failure);
+      }
+    }
+  }
+
+  std::error_code Failure;
+
+private:
+  std::filesystem::path Finished, Place;
+};
+
 }
 
 std::string WriteCinema(const std::string& folder, const std::vector<std::uint8_t>& file,
@@ -160,46 +267,32 @@ std::string WriteCinema(const std::string& folder, const std::vector<std::uint8_
   const std::filesystem::path place = std::filesystem::u8path(folder);
   std::error_code failure;
   if (std::filesystem::exists(place, failure) &&
-    !std::filesystem::exists(place / "data.csv", failure))
+    !std::filesystem::exists(place / TableName, failure))
   {
     return folder + " exists, and is no Cinema database; give another name.";
   }
-  std::filesystem::create_directories(place, failure);
-  if (failure)
+  UnfinishedFolder unfinished(place);
+  if (unfinished.Failure)
   {
-    return folder + " cannot be made: " + failure.message() + ".";
+    return folder + " cannot be made: " + unfinished.Failure.message() + ".";
   }
-  std::string table = "view,isovalue,depth_min,depth_max,FILE_depth,FILE_normal,FILE_view\n";
-  Frame frame;
-  for (std::size_t view = 0; view < views.Knots.size(); ++view)
+  DatabaseWriter database(unfinished.Path(), isovalues);
+  if (!database.WriteImages(views, report))
   {
-    const ViewEntry& entry = views.Header.Views[view];
-    for (int i = 0; i < isovalues; ++i)
-    {
-      const double isovalue = i + 1 == isovalues
-        ? entry.Range.High
-        : glm::mix(entry.Range.Low, entry.Range.High, i / (isovalues - 1.0));
-      LookUpView(entry.Geometry, views.Knots[view], isovalue, frame);
-      ImageWriter images(place, frame);
-      const std::string depth = NameOf("depth", view, i), normal = NameOf("normal", view, i);
-      if (!images.WriteDepths(depth) || !images.WriteNormals(normal))
-      {
-        return folder + " cannot be filled with images; is there room?";
-      }
-      table += FieldOf(entry.Geometry.Name) + ',' + TextOf(isovalue) + ',' +
-        TextOf(images.RangeOfDepths().x) + ',' + TextOf(images.RangeOfDepths().y) + ',' + depth +
-        ',' + normal + ',' + FileName + '\n';
-      const double done = static_cast<double>(view) + (i + 1.0) / isovalues;
-      if (report && !report(done / static_cast<double>(views.Knots.size())))
-      {
-        return {};
-      }
-    }
+    return database.IsStopped ? std::string()
+                              : folder + " cannot be filled with images; is there room?";
   }
-  const std::string error = ReplaceFile((place / FileName).u8string(), file);
-  return error.empty()
-    ? ReplaceFile((place / "data.csv").u8string(), { table.begin(), table.end() })
-    : error;
+  std::string error = ReplaceFile((unfinished.Path() / FileName).u8string(), file);
+  error = error.empty() ? ReplaceFile((unfinished.Path() / TableName).u8string(),
+                            { database.Table.begin(), database.Table.end() })
+                        : error;
+  if (!error.empty())
+  {
+    return error;
+  }
+  unfinished.Finish();
+  return unfinished.Failure ? folder + " cannot be made: " + unfinished.Failure.message() + "."
+                            : std::string();
 }
 
 }

@@ -13,7 +13,8 @@ namespace TemporalCoherence
 {
 
 /// Write a view file as a Cinema database of specification D: a folder with data.csv, images of
-/// depths and normals for equally spaced isovalues of each view, and the file.
+/// depths and normals for equally spaced isovalues of each view, and the file. It is made in a folder
+/// beside its place, so that errors and stops leave nothing.
 /// \param folder    in UTF-8; is made
 /// \param file      a view file
 /// \param isovalues how many, at least 2

@@ -40,7 +40,8 @@ struct LoadedViews
   std::vector<KnotImage> Knots; ///< of each view
 };
 
-/// Read a file. All of it is checked; memory is bounded by a thousand times the file's size.
+/// Read a file. All of it is checked. Memory is bounded by some thousand times the file's size, and
+/// 32 bytes for each of its pixels, of which there are at most 2^26.
 /// \return what is wrong, as a sentence; empty if nothing is
 /// \throws std::bad_alloc
 std::string ReadViews(const std::vector<std::uint8_t>& file, LoadedViews& views);

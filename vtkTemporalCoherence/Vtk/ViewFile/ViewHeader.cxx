@@ -65,9 +65,9 @@ Json ViewAsJson(const ViewEntry& view)
 /// \param bytes of all sections
 void ReadSection(const Json& json, std::uint64_t bytes, FileSection& section)
 {
-  section.Offset = json.at("offset").get<std::uint64_t>();
-  section.Bytes = json.at("bytes").get<std::uint64_t>();
-  section.Unpacked = json.at("unpacked").get<std::uint64_t>();
+  section.Offset = LargeNumber(json.at("offset"));
+  section.Bytes = LargeNumber(json.at("bytes"));
+  section.Unpacked = LargeNumber(json.at("unpacked"));
   Require(section.Offset <= bytes && section.Bytes <= bytes - section.Offset,
     "the file ends before a section does");
   Require(section.Unpacked >= 1 && section.Unpacked <= MostPacked * section.Bytes,
@@ -99,7 +99,7 @@ ChunkSection ReadChunk(const Json& json, std::uint64_t bytes, int height)
     direction == DirectionNames[0] ? ValueDirection::Rising : ValueDirection::Falling;
   chunk.Rows.First = WholeNumber(json.at("first"), 0, height - 1);
   chunk.Rows.Count = WholeNumber(json.at("rows"), 1, height - chunk.Rows.First);
-  chunk.Knots = json.at("knots").get<std::uint64_t>();
+  chunk.Knots = LargeNumber(json.at("knots"));
   Require(chunk.Knots <= chunk.Unpacked / LeastBytesOfKnot, "a chunk is too small for its knots");
   return chunk;
 }
@@ -135,7 +135,7 @@ ViewEntry ReadView(const Json& json, std::uint64_t bytes)
   view.NormalSteps = WholeNumber(json.at("normalSteps"), 1, 127);
   for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
   {
-    view.Knots[direction] = json.at("knots").at(DirectionNames[direction]).get<std::uint64_t>();
+    view.Knots[direction] = LargeNumber(json.at("knots").at(DirectionNames[direction]));
     Require(view.Knots[direction] <= std::numeric_limits<std::uint32_t>::max(),
       "a view has too many knots");
   }
@@ -150,6 +150,18 @@ ViewEntry ReadView(const Json& json, std::uint64_t bytes)
   view.Entries = ReadPlane(json, "entries", bytes, 2 * pixels);
   view.Unknown = ReadPlane(json, "unknown", bytes, (pixels + 7) / 8);
   return view;
+}
+
+/// Bytes of all sections of a view.
+std::uint64_t BytesOf(const ViewEntry& view)
+{
+  std::uint64_t bytes =
+    (view.Entries ? view.Entries->Bytes : 0) + (view.Unknown ? view.Unknown->Bytes : 0);
+  for (const ChunkSection& chunk : view.Chunks)
+  {
+    bytes += chunk.Bytes;
+  }
+  return bytes;
 }
 
 }
@@ -178,6 +190,7 @@ try
   Require(views.is_array() && !views.empty() && views.size() <= MostViews,
     "it has no view, or more than 64");
   std::int64_t pixels = 0;
+  std::uint64_t used = 0;
   header.Views.clear();
   for (const Json& view : views)
   {
@@ -185,6 +198,8 @@ try
     const glm::ivec2 size = header.Views.back().Geometry.Rays.Size;
     pixels += static_cast<std::int64_t>(size.x) * size.y;
     Require(pixels <= MostPixels, "its views have too many pixels");
+    used += BytesOf(header.Views.back());
+    Require(used <= bytes, "sections overlap");
   }
   return {};
 }

@@ -11,6 +11,7 @@ namespace
 
 constexpr std::size_t MostSurfaces = 8, MostLights = 64, MostColors = 4096, MostBins = 256,
                       MostPlanes = 64;
+constexpr double LargestCorner = 1e9; // fits into an int
 
 template <typename Vector>
 Json AsJson(const Vector& vector)
@@ -226,6 +227,15 @@ int WholeNumber(const Json& json, int low, int high)
   return static_cast<int>(number);
 }
 
+std::uint64_t LargeNumber(const Json& json)
+{
+  constexpr double most = 9007199254740992.0; // 2^53: up to it doubles hold all whole numbers
+  const double number = Finite(json);
+  Require(number >= 0.0 && number <= most && number == std::floor(number),
+    "a whole number is out of range");
+  return static_cast<std::uint64_t>(number);
+}
+
 Json DescriptionAsJson(const ViewDescription& description)
 {
   Json json = LookAsJson(description.Look);
@@ -259,7 +269,7 @@ void ReadDescription(const Json& json, ViewDescription& description)
     description.Histogram.Range = VectorOf<glm::dvec2>(histogram.at("range"));
     for (const Json& count : ListOf(histogram, "counts", MostBins))
     {
-      description.Histogram.Counts.push_back(count.get<std::int64_t>());
+      description.Histogram.Counts.push_back(static_cast<std::int64_t>(LargeNumber(count)));
     }
   }
 }
@@ -300,6 +310,11 @@ void ReadGeometry(const Json& json, int largest, ViewGeometry& geometry)
   const Json& box = json.at("box");
   geometry.WorldFromIndex = MatrixOf(box.at("matrix"));
   geometry.Box = { VectorOf<glm::dvec3>(box.at("low")), VectorOf<glm::dvec3>(box.at("high")) };
+  const glm::dvec3& high = geometry.Box.High;
+  Require(geometry.Box.Low == glm::dvec3(0.0) && high == glm::floor(high) &&
+      glm::all(glm::greaterThan(high, glm::dvec3(0.0))) &&
+      glm::all(glm::lessThan(high, glm::dvec3(LargestCorner))),
+    "a box does not hold cells from the first sample on");
   if (json.contains("planes"))
   {
     for (const Json& plane : ListOf(json, "planes", MostPlanes))

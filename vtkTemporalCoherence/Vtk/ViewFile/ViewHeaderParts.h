@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <stdexcept>
 
 namespace TemporalCoherence
@@ -30,6 +31,10 @@ double Finite(const Json& json);
 
 /// \throws WrongHeader, Json::exception
 int WholeNumber(const Json& json, int low, int high);
+
+/// A whole number from 0 to 2^53.
+/// \throws WrongHeader, Json::exception
+std::uint64_t LargeNumber(const Json& json);
 
 /// All of a file but its views.
 Json DescriptionAsJson(const ViewDescription& description);

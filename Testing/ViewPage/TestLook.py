@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colours by isovalue, opacity, material, lights and backgrounds look in a page as the mapper shows them, as they are written
-and as its controls change them."""
+"""Colours by isovalue, opacity, material, lights and backgrounds look in a page as the mapper shows them, as
+they are written and as its controls change them."""
 
 import unittest
 

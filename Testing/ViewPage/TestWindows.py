@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page fits into small and large windows, in light and dark schemes, and fills the screen. All controls can be reached, also
-with a finger."""
+"""A page fits into small and large windows, in light and dark schemes, and fills the screen. All controls can
+be reached, also with a finger."""
 
 import os
 import pathlib

@@ -108,7 +108,8 @@ public:
       return false;
     }
     const TemporalCoherence::FrameKey& key = request.Key;
-    this->Error = TemporalCoherence::ViewMaker::WhyNot(key);
+    this->Error = TemporalCoherence::ViewFileMaker::WhyNot();
+    this->Error = this->Error.empty() ? TemporalCoherence::ViewMaker::WhyNot(key) : this->Error;
     if (!this->Error.empty())
     {
       return false;

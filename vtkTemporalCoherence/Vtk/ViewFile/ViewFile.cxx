@@ -225,6 +225,11 @@ FileSection ViewFileMaker::Append(const Bytes& packed, std::size_t unpacked)
   return section;
 }
 
+std::string ViewFileMaker::WhyNot()
+{
+  return {};
+}
+
 void ViewFileMaker::Add(const ViewGeometry& geometry, const KnotImage& knots)
 {
   ViewEntry view;

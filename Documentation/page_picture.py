@@ -14,7 +14,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "Testing" / "ViewPage"))
 from chromium import Chromium
 
-SIZE = (480, 560)
+SIZE = (480, 680)
 
 
 def main():

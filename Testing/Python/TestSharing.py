@@ -12,10 +12,10 @@ import tempfile
 import unittest
 
 import numpy
-from spheres import distances
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from spheres import distances, image_of
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkVolume
-from vtkTemporalCoherence import composite, isosurface, save_view, vtkTemporalCoherenceView
+from vtkTemporalCoherence import composite, isosurface, save_view, segmentation, vtkTemporalCoherenceView
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "Sharing.md"
 SIZE = (48, 40)
@@ -95,12 +95,20 @@ class Sharing(unittest.TestCase):
     def test_mistakes(self):
         nearest = isosurface(distances(), 0.5)
         nearest.GetProperty().SetInterpolationTypeToNearest()
+        no_number = distances()
+        no_number[20, 30, 32] = numpy.nan
+        labels = segmentation((distances() > 0.5).astype(numpy.uint8), {1: "ball"})
+        hidden = image_of(distances())
+        hidden.AllocateCellGhostArray().SetValue(5, vtkDataSetAttributes.HIDDENCELL)
         for words, volume, path, settings in (
                 ("path that ends in .html", self.volume, "a.png", {}),
                 ("cannot be written", self.volume, "nowhere/a.html", {}),
                 ("set another range", self.volume, "a.html", {"range": (900, 901)}),
                 ("is blended", composite(distances()), "a.html", {}),
                 ("linear interpolation", nearest, "a.html", {}),
+                ("no numbers", isosurface(no_number, 0.5), "a.html", {}),
+                ("hidden cells", isosurface(hidden, 0.5), "a.html", {}),
+                ("not labels", labels, "a.html", {}),
                 ("1 to 64 views", self.volume, "a.html", {"views": 65}),
                 ("1 to 64 views", self.volume, "a.html", {"views": 0})):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Views that `save_view()` shares: what one asks for is in the file, a stop leaves none, and mistakes
-get one sentence. The code in Python of Documentation/Sharing.md runs as it stands there."""
+get one sentence. The code in Python of Documentation/Sharing.md runs as it stands there, and the
+gallery's page can be read."""
 
 import base64
 import os
@@ -26,7 +27,7 @@ def read(path):
     path = pathlib.Path(path)
     if path.suffix == ".html":
         coded = re.search(rb'id="view-file">([^<]*)<', path.read_bytes())[1]
-        path = path.with_suffix(".tcview")
+        path = pathlib.Path(path.stem + ".tcview")
         path.write_bytes(base64.b64decode(coded))
     views = vtkTemporalCoherenceView()
     if not views.Read(str(path)):
@@ -137,6 +138,15 @@ class Sharing(unittest.TestCase):
         views = read("orbit.html")
         self.assertEqual(views.GetNumberOfViews(), 8)
         numpy.testing.assert_allclose(range_of(views, 7), (100.0, 200.0), rtol=1e-6)
+
+    def test_page_of_the_gallery(self):
+        page = PAGE.parent / "Pictures" / "view.html"
+        if not page.exists():
+            self.skipTest("The documentation is not there.")
+        self.assertLessEqual(page.stat().st_size, 500000)
+        views = read(page)  # Documentation/gallery.sh --view makes it again
+        self.assertEqual(views.GetTitle(), "A head in MR")
+        numpy.testing.assert_allclose(range_of(views), (30.0, 100.0), rtol=1e-6)
 
 
 if __name__ == "__main__":

@@ -125,8 +125,8 @@ class WrongDatabases(unittest.TestCase):
     def test_refused(self):
         for table in (
                 b"", b"a,b\n", b"a,a\n1,2\n", b",b\n1,2\n", b"a,b\n1\n", b"a,b\n1,2,3\n", b"a\n1\n1.5\n",
-                b"a\n1.5\n1\n", b"a\nx\n1\n", b"FILE,a\nb.png,1\n", b"a,FILE\n1,missing.png\n", b'a\n"open\n', b'a\nb"c"\n',
-                b'a\n"b"c\n', b"a\n\xff\n"):
+                b"a\n1.5\n1\n", b"a\nx\n1\n", b"FILE,a\nb.png,1\n", b"a,FILE\n1,missing.png\n", b'a\n"open\n',
+                b'a\nb"c"\n', b'a\n"b"c\n', b"a\n\xff\n"):
             self.refuse(table, ["b.png"])
 
     def test_read(self):

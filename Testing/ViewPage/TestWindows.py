@@ -154,7 +154,8 @@ class Windows(PageTest):
         self.browser.drag_in_window(place, (place[0] + 20, place[1] + 5), (place[0] + 60, place[1] - 60),
                                     pointer="touch")
         self.assertTrue((self.browser.pixels() != before).any())
-        self.assertEqual(self.browser.run("return document.getElementById('picture').getBoundingClientRect().top;"), top)
+        self.assertEqual(
+            self.browser.run("return document.getElementById('picture').getBoundingClientRect().top;"), top)
         self.browser.drag("picture", (0.5, 0.5), pointer="touch")
         self.assertIn("depth", self.browser.text("told"))
         self.assert_no_complaints()

@@ -96,6 +96,21 @@ check_page()
   done < <(grep -o 'Pictures/[A-Za-z0-9.-]*\.png' "$output/Gallery.md" | sort -u)
 }
 
+# The page that can be dragged: small, as it lies in the repository.
+share_view()
+{
+  local volume=/usr/share/mricron/templates/ch2.nii.gz
+  if [ -n "${quick[*]}" ] || [ ! -r "$volume" ]; then
+    say "The page that can be dragged is left as it is."
+    [ "$output" = "$here" ] || cp "$here/Pictures/view.html" "$output/Pictures"
+    return
+  fi
+  "$repository/Examples/run.sh" --no-packages "$volume" 50 --from -y --background white --size 224 \
+    --range 20,100 --tolerance 0.5 --share "$output/Pictures/view.html" --title "A head in MR" \
+    --caption "Drag in the bars below the picture: skin, then bone and brain, at every value from 20 to 100." \
+    --citation "Holmes et al. 1998 (Colin 27), as in Debian's package mricron-data"
+}
+
 [ "$built" = yes ] || "$repository/Module/setup.sh" "${setup_options[@]}"
 mkdir -p "$work" "$output/Pictures" 2>/dev/null ||
   fail "Cannot make folders in $output; name one that can be written in with --output."
@@ -127,6 +142,7 @@ for figure in 5 6 7 8 9; do
   [ "$figure" != 6 ] || name=$work/figure6-paper.png
   cp "$name" "$output/Pictures/gallery-figure$figure.png"
 done
+share_view
 fill_page "${parts[@]}" <"$here/Gallery.md" >"$work/Gallery.md"
 cp "$work/Gallery.md" "$output/Gallery.md"
 check_page

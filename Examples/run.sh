@@ -12,6 +12,7 @@ Show a volume's isosurface: pictures of an orbit and of a sweep of its isovalue,
 
 usage: Examples/run.sh [VOLUME [ISOVALUE]] [OPTIONS]
        Examples/run.sh --command [VOLUME [ISOVALUE]] [OPTIONS] [-o PICTURE.png]
+       Examples/run.sh [VOLUME [ISOVALUE]] --share FILE.html [OPTIONS]
 
 VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .nrrd .nhdr .slc), a stack of slices (.tif .png),
 a grid (.vtu .vts .vtr .vtm .vth .vtk, Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a list of
@@ -41,6 +42,8 @@ against what is installed there.
   --explore              a window to look around in instead of pictures; needs a display
   --command              one picture or film, by Examples/Command, whose options follow; --command
                          --help lists them
+  --share FILE.html      a page for browsers, in which the isovalue can be dragged without the volume;
+                         by Examples/Command, too
   --help                 show this text; that of build/examples/OrbitAndSweep/OrbitAndSweep and
                          build/examples/Explorer/Explorer tells all options
 TEXT
@@ -60,7 +63,8 @@ takes_value()
   [[ $1 =~ ^(-o|--(size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|screenshot))$ ]] ||
     [[ $1 =~ ^--(resolution|channel|memory)$ ]] ||
     [[ $1 =~ ^--(iso|opacity|color|palette|material|light|preset|shift|window|level|draw|azimuth)$ ]] ||
-    [[ $1 =~ ^--(elevation|zoom|clip|cut|background|samples|film|rate)$ ]]
+    [[ $1 =~ ^--(elevation|zoom|clip|cut|background|samples|film|rate|share|title|caption)$ ]] ||
+    [[ $1 =~ ^--(citation|units|range|tolerance|views|color-by|color-map)$ ]]
 }
 
 program=OrbitAndSweep
@@ -79,6 +83,7 @@ while [ $# -gt 0 ]; do
       fi
       ;;
     --command) program=Command ;;
+    --share) program=Command; arguments+=("$1") ;;
     --no-packages) setup_options+=("$1") ;;
     --explore | --interactive) program=Explorer; setup_options+=(--with-explorer) ;;
     --session) volume=of_session; arguments+=("$1") ;;

@@ -129,6 +129,26 @@ if (NOT count EQUAL 3)
 endif ()
 run("${CHECK_PICTURE}" ${turn})
 
+# A view for every isovalue, as each kind of file.
+run("${command}" --spheres 32 --iso 100 --size 64 --share "${pictures}/view.html" --title "A <b> & \"c\""
+  --range 60,140 --units HU)
+file(READ "${pictures}/view.html" page)
+foreach (text IN ITEMS "<title>A &lt;b&gt; &amp; &quot;c&quot;</title>" "id=\"view-file\">VENWSUVX")
+  string(FIND "${page}" "${text}" position)
+  if (position EQUAL -1)
+    message(FATAL_ERROR "The page ${pictures}/view.html does not hold ${text}")
+  endif ()
+endforeach ()
+run("${command}" --spheres 32 --size 64x48 --share "${pictures}/view.tcview" --views 3 --tolerance 0.5)
+file(READ "${pictures}/view.tcview" magic LIMIT 6)
+if (NOT magic MATCHES "^TCVIEW")
+  message(FATAL_ERROR "${pictures}/view.tcview begins with ${magic}")
+endif ()
+file(REMOVE_RECURSE "${pictures}/view.cdb")
+run("${command}" --spheres 32 --size 48 --share "${pictures}/view.cdb")
+file(GLOB images "${pictures}/view.cdb/*.png")
+run("${CHECK_PICTURE}" ${images})
+
 # Samples that are read as they are needed give the same pictures. Letters are samples, too.
 set(large "${pictures}/large")
 file(MAKE_DIRECTORY "${large}/volume.zarr")
@@ -194,7 +214,11 @@ foreach (mistake IN ITEMS "takes a number|--iso;60,nan" "outside the values|--is
     "commas between|--iso;60,,70" "an axis and a place|--clip;w=3" "name one by --preset|--shift;3"
     "given twice|--iso;60,60" "those of a film|--frames;5" "--shift takes|--preset;mr;--shift;1e9"
     "must lie within|--maximum;--window;9;--level;1e9" "no array 'Temp' to colour by|--color-by;Temp"
-    "none are drawn|--preset;mr;--color-by;Temp" "give one of them|--color;tan;--color-by;Temp")
+    "none are drawn|--preset;mr;--color-by;Temp" "give one of them|--color;tan;--color-by;Temp"
+    "give --share|--title;A" "leave out --output|--share;x.html;-o;x.png" "lowest and the highest|--range;9,3"
+    "path that ends in .html|--share;x.jpg" "from 0.02 to 10|--share;x.html;--tolerance;0"
+    "set another range|--share;x.html;--range;900,950" "is blended|--share;x.html;--preset;mr"
+    "no directory|--share;/nowhere/at/all.html")
   string(REGEX MATCH "^[^|]*" words "${mistake}")
   string(REGEX REPLACE "^[^|]*[|]" "" arguments "${mistake}")
   expect_refusal_of("${command};--spheres;16" "${words}" ${arguments})
@@ -205,6 +229,7 @@ string(CONCAT tetrahedron "# vtk DataFile Version 3.0\none cell\nASCII\nDATASET 
   "SCALARS t float\nLOOKUP_TABLE default\n0 2 1 5\nVECTORS v float\n0 1 2 3 4 5 6 7 9 1 1 2\n")
 file(WRITE "${SCRATCH}/tetrahedron.vtk" "${tetrahedron}")
 expect_refusal_of("${command}" "is a mesh" "${SCRATCH}/tetrahedron.vtk" --preset mr)
+expect_refusal_of("${command}" "resample other data" "${SCRATCH}/tetrahedron.vtk" --share x.html)
 # Colours of another array, and of a component.
 expect_refusal_of("${command}" "those it has: s, t, v" "${SCRATCH}/tetrahedron.vtk" --color-by w)
 expect_refusal_of("${command}" "from 1 to 3" "${SCRATCH}/tetrahedron.vtk" --color-by v:4)

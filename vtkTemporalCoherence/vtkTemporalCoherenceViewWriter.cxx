@@ -138,7 +138,8 @@ public:
 
   TemporalCoherence::ViewFileMaker File;
   TemporalCoherence::ViewDescription Description;
-  std::vector<std::uint8_t> Poster; ///< of the first view
+  std::vector<std::uint8_t> Poster;               ///< of the first view
+  TemporalCoherence::ValueBand Range{ 1.0, 0.0 }; ///< of the first view
   std::size_t Knots = 0;
   std::string Error;
 
@@ -190,6 +191,7 @@ private:
     this->Description.Look =
       TemporalCoherence::LookOf(key, this->Surfaces, this->Renderer, this->Volume);
     this->Description.Histogram = { this->Surfaces.Range, this->Surfaces.Counts };
+    this->Range = range;
     this->Poster = TemporalCoherence::PosterOf(
       this->Maker.Draw(key, this->Description.Look.Surfaces, range), this->Description.Look);
   }
@@ -338,6 +340,8 @@ bool vtkTemporalCoherenceViewWriter::WriteView(
     {
       this->BytesWritten = static_cast<vtkIdType>(bytes.size());
       this->NumberOfKnots = static_cast<vtkIdType>(views.Knots);
+      this->WrittenRange[0] = views.Range.Low;
+      this->WrittenRange[1] = views.Range.High;
     }
   }
   catch (const std::bad_alloc&)

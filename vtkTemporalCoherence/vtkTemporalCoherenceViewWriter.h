@@ -122,9 +122,13 @@ public:
   //@}
 
   //@{
-  /** Bytes of the last written page or file, and of its knots. */
+  /**
+   * About what was written last: bytes of the page or file, its number of knots, and the isovalues
+   * of its first view. Before: 0, 0, and (1, 0).
+   */
   vtkIdType GetBytesWritten() const { return this->BytesWritten; }
   vtkIdType GetNumberOfKnots() const { return this->NumberOfKnots; }
+  vtkGetVector2Macro(WrittenRange, double);
   //@}
 
 protected:
@@ -144,6 +148,7 @@ private:
   std::string Title, Caption, Citation, Units;
   vtkTypeBool AbortExecute = 0;
   vtkIdType BytesWritten = 0, NumberOfKnots = 0;
+  double WrittenRange[2] = { 1.0, 0.0 };
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

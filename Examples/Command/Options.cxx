@@ -221,6 +221,52 @@ void AddViews(CommandLine& line, Options& options)
   }
 }
 
+void AddSharing(CommandLine& line, SharedView& share)
+{
+  const auto addText = [&](const char* option, std::string& text)
+  { line.AddSetting(option, [&text](Text, Text value) { text = value; }); };
+  addText("--share", share.Path);
+  addText("--title", share.Title);
+  addText("--caption", share.Caption);
+  addText("--citation", share.Citation);
+  addText("--units", share.Units);
+  line.AddSetting("--range",
+    [&share](Text name, Text value)
+    {
+      std::vector<double> ends;
+      AddNumbers(name, value, -Unbounded, Unbounded, ends);
+      if (ends.size() != 2 || !(ends[0] <= ends[1]))
+      {
+        throw UserError(name + " takes the lowest and the highest isovalue, such as 50,200, not " +
+          Quoted(value) + ".");
+      }
+      share.Range = { ends[0], ends[1] };
+    });
+  line.AddSetting("--tolerance",
+    [&share](Text name, Text value) { share.Tolerance = ParseNumber(name, value, 0.02, 10.0); });
+  line.AddSetting(
+    "--views", [&share](Text name, Text value) { share.Views = ParseCount(name, value, 64); });
+}
+
+// What is shared is one view, for all isovalues.
+void CheckSharing(const Options& options)
+{
+  const SharedView& share = options.Share;
+  const bool hasTexts = !share.Title.empty() || !share.Caption.empty() || !share.Citation.empty() ||
+    !share.Units.empty();
+  if (share.Path.empty() &&
+    (hasTexts || share.Range || share.Views != 1 || share.Tolerance != SharedView().Tolerance))
+  {
+    throw UserError("--title, --caption, --citation, --units, --range, --tolerance and --views are "
+                    "those of a shared view; give --share FILE.html.");
+  }
+  if (!share.Path.empty() && (options.Motion || !options.Output.empty() || options.Samples > 1))
+  {
+    throw UserError("--share writes a view instead of a picture or film; leave out --output, "
+                    "--film and --samples.");
+  }
+}
+
 // What can be known before a volume is read.
 void Check(const Options& options)
 {
@@ -277,12 +323,16 @@ Options ParseOptions(int argc, char* argv[])
   CommandLine line(options);
   AddLooks(line, options);
   AddViews(line, options);
+  AddSharing(line, options.Share);
   line.Parse({ argv + 1, argv + argc });
   if (options.Isovalue)
   {
     options.Isovalues.insert(options.Isovalues.begin(), *options.Isovalue);
   }
   Check(options);
+  CheckSharing(options);
+  options.Share.Width = options.Width;
+  options.Share.Height = options.Height;
   return options;
 }
 
@@ -291,7 +341,8 @@ std::string HelpText()
   return std::string(
            R"(Draw isosurfaces or a blended volume of a file, without a window.
 
-usage: temporal-coherence [VOLUME [ISOVALUE] | FILE.session] [OPTIONS] [-o PICTURE.png]
+usage: temporal-coherence [VOLUME [ISOVALUE] | FILE.session] [OPTIONS]
+                          [-o PICTURE.png | --share FILE.html]
 
 )") +
     VolumeHelp + R"(FILE.session is one that the Explorer saved.
@@ -338,6 +389,15 @@ usage: temporal-coherence [VOLUME [ISOVALUE] | FILE.session] [OPTIONS] [-o PICTU
   --film turn | sweep    around the volume, or through all isovalues
   --frames N             default 120
   --rate N               frames a second of .ogv; default 25
+
+ sharing
+  --share FILE           writes the view for every isovalue, to be dragged in a browser: a page
+                         (.html), a view file (.tcview), or a Cinema database (.cdb, a folder)
+  --title, --caption, --citation, --units TEXT
+                         what is told beside it
+  --range LOW,HIGH       isovalues that are written; default: those of most surfaces
+  --tolerance V          largest error in voxels, 0.02 to 10; default 0.1
+  --views N              views around the volume, 1 to 64; default 1
 
  files
 )" + CommonOptionsHelp +

@@ -4,6 +4,7 @@
 #define Options_h
 
 #include "Model/Film.h"
+#include "Model/Sharing.h"
 #include "Program/CommandLine.h"
 
 #include <optional>
@@ -32,6 +33,7 @@ struct Options : CommonOptions
   std::optional<int> Frames;        // of a film; none: 120
   std::optional<int> Rate;          // frames a second; none: 25
   std::string Output;               // picture, film or directory
+  SharedView Share;                 // without a path: a picture or a film
 };
 
 // Throws UserError.

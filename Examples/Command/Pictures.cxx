@@ -81,9 +81,9 @@ std::string MakeFilm(Model& model, const Options& options)
 
 void CheckOutput(const Options& options)
 {
-  const std::string path = OutputOf(options);
+  const std::string path = options.Share.Path.empty() ? OutputOf(options) : options.Share.Path;
   const bool isFilm = options.Motion.has_value();
-  if (!isFilm && !EndsWith(LowerCase(path), ".png"))
+  if (options.Share.Path.empty() && !isFilm && !EndsWith(LowerCase(path), ".png"))
   {
     throw UserError(
       "A picture is a PNG file; give -o a name that ends with .png, not " + Quoted(path) + ".");
@@ -103,6 +103,10 @@ void CheckOutput(const Options& options)
 
 std::string WritePictures(Model& model, const Options& options)
 {
+  if (!options.Share.Path.empty())
+  {
+    return ShareView(model.View, options.Share, [](double) { return true; });
+  }
   if (options.Motion)
   {
     return MakeFilm(model, options);

@@ -8,8 +8,8 @@
 class Model;
 struct Options;
 
-// Draws the picture or the film that the options ask for, and writes it. Returns what is where, for
-// people. Throws UserError.
+// Draws the picture, the film or the shared view that the options ask for, and writes it. Returns
+// what is where, for people. Throws UserError.
 std::string WritePictures(Model& model, const Options& options);
 
 // Throws UserError where the output cannot be what is asked for: before anything takes long.

@@ -64,6 +64,7 @@ private slots:
   void VolumesAreMadeInParts();
   void ClicksOfTheWheelAreJoined();
   void TrianglesAreExported();
+  void ViewsAreShared();
 
   void TheHistogramMovesIsovalues();
   void TheHistogramMovesOpacities();

@@ -278,3 +278,36 @@ void ExplorerTests::TrianglesAreExported()
   QCOMPARE(count("none.stl"), 0);
   QVERIFY(said.last()[0].toString().contains("no surface"));
 }
+
+// A page with a picture and a view file in it; stopped, or refused, there is none.
+void ExplorerTests::ViewsAreShared()
+{
+  this->Open(SmallSession());
+  QSignalSpy said(this->Bench.get(), &Workbench::Said);
+  const auto share = [&](const char* name, bool isStopped = false)
+  {
+    SharedView wanted;
+    wanted.Path = this->Directory.filePath(name).toStdString();
+    wanted.Title = "Four <spheres>";
+    wanted.Width = wanted.Height = 64;
+    this->Bench->Share(wanted);
+    if (isStopped)
+    {
+      this->Bench->Cancel();
+    }
+    while (this->Bench->IsBusy())
+    {
+      QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    QFile file(this->Directory.filePath(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  };
+  const QByteArray page = share("view.html");
+  QVERIFY(said.last()[0].toString().startsWith("Shared: "));
+  QVERIFY(page.startsWith("<!DOCTYPE html>"));
+  QVERIFY(page.contains("<title>Four &lt;spheres&gt;</title>"));
+  QVERIFY(share("view.tcview").startsWith("TCVIEW"));
+  QVERIFY(share("view.png").isEmpty());
+  QVERIFY(said.last()[0].toString().contains(".tcview"));
+  QVERIFY(share("stopped.html", true).isEmpty());
+}

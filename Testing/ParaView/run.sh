@@ -47,7 +47,7 @@ if [ -z "$prefix" ]; then
 fi
 
 # What paraview-dev needs and does not ask for, what the library needs, and what runs the tests.
-packages=(g++ cmake ninja-build libglm-dev libhwy-dev openmpi-bin libopenmpi-dev libglew-dev
+packages=(g++ cmake ninja-build libglm-dev libhwy-dev nlohmann-json3-dev zlib1g-dev openmpi-bin libopenmpi-dev libglew-dev
   libfreetype-dev libpython3-dev xvfb xauth libgl1-mesa-dri)
 paraview_packages=(paraview paraview-dev python3-paraview)
 
@@ -339,6 +339,7 @@ run_checks 1 TestProperties.py
 run_checks 1 TestLabels.py
 run_checks 1 TestSurfaceArray.py
 run_checks 1 TestRecipe.py
+run_checks 1 TestSharing.py
 for processes in 1 2 4; do
   run_checks "$processes" DistributedScenes.py
 done

@@ -88,6 +88,7 @@ public:
   bool IsMesh() const { return this->HasCells; }
 
   vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkVolume> Actor;
   Mapping Mapper;
   ArrayColors Colors; // by another array
 
@@ -102,7 +103,6 @@ private:
     vtkSmartPointer<vtkImageData> frame, bool hasBackground, int raysOfSide);
   double LongestEdge() const;
 
-  vtkNew<vtkVolume> Actor;
   vtkNew<vtkPlane> Clip;
   std::array<double, 2> Range = { 0.0, 1.0 };
   Box Bounds = {}, BoundsInWorld = {};

@@ -47,6 +47,7 @@ void AskSaveSession(QMainWindow& window, Workbench& bench);
 void AskColor(QMainWindow& window, Workbench& bench); // of the selected marker
 void AskPicture(QMainWindow& window, Workbench& bench);
 void AskTriangles(QMainWindow& window, Workbench& bench);
+void AskSharing(QMainWindow& window, Workbench& bench);
 void AskFilm(QMainWindow& window, Workbench& bench);
 void AskLabelNames(QMainWindow& window, Workbench& bench);
 

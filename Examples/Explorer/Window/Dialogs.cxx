@@ -18,6 +18,7 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QPixmap>
 #include <QPushButton>
@@ -147,6 +148,37 @@ void AskTriangles(QMainWindow& window, Workbench& bench)
   if (!path.isEmpty())
   {
     bench.ExportTriangles(QFile::encodeName(path).toStdString());
+  }
+}
+
+void AskSharing(QMainWindow& window, Workbench& bench)
+{
+  SizeDialog dialog(window, bench, QObject::tr("Share as a web page"));
+  std::array<QLineEdit*, 4> texts;
+  const std::array<QString, 4> names = { QObject::tr("Title"), QObject::tr("Caption"),
+    QObject::tr("Citation"), QObject::tr("Units of values") };
+  for (std::size_t i = 0; i < texts.size(); ++i)
+  {
+    texts[i] = new QLineEdit;
+    dialog.Rows->addRow(names[i], texts[i]);
+  }
+  const QSpinBox* views = dialog.AddNumber(QObject::tr("Views around the volume"), 1, 64);
+  const QString path = !dialog.Ask()
+    ? QString()
+    : QFileDialog::getSaveFileName(&window, QObject::tr("Share this view"), "view.html",
+        QObject::tr("Web pages (*.html);;View files (*.tcview);;Cinema databases (*.cdb)"));
+  if (!path.isEmpty())
+  {
+    SharedView wanted;
+    wanted.Path = QFile::encodeName(path).toStdString();
+    wanted.Title = texts[0]->text().toStdString();
+    wanted.Caption = texts[1]->text().toStdString();
+    wanted.Citation = texts[2]->text().toStdString();
+    wanted.Units = texts[3]->text().toStdString();
+    wanted.Width = dialog.Width->value();
+    wanted.Height = dialog.Height->value();
+    wanted.Views = views->value();
+    bench.Share(wanted);
   }
 }
 

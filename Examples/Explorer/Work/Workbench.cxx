@@ -512,6 +512,19 @@ void Workbench::SavePicture(const std::string& path, int width, int height)
     });
 }
 
+void Workbench::Share(const SharedView& wanted)
+{
+  if (this->IsBusy())
+  {
+    throw UserError(this->What + ": wait for it, or stop it with Escape.");
+  }
+  const auto written = std::make_shared<std::string>();
+  this->StartOnView(
+    "Finding the surfaces of all isovalues",
+    [=](const Progress& progress) { *written = ShareView(this->Data.View, wanted, progress); },
+    [=] { this->Say(*written); });
+}
+
 void Workbench::ExportTriangles(const std::string& path)
 {
   if (this->IsBusy())

@@ -5,6 +5,7 @@
 
 #include "Model/Film.h"
 #include "Model/Recorder.h"
+#include "Model/Sharing.h"
 
 #include <vtkNew.h>
 #include <vtkTemporalCoherenceRefiner.h>
@@ -73,6 +74,7 @@ public:
   void SaveSession(const std::string& path);
   void SavePicture(const std::string& path = "", int width = 0, int height = 0);
   void ExportTriangles(const std::string& path);
+  void Share(const SharedView& wanted);
   struct FilmOptions
   {
     FilmMotion Motion = FilmMotion::TurnAround; // a sweep is that of the selected marker

@@ -142,6 +142,13 @@ public:
   void SetShowStatistics(bool shows);
 
   /**
+   * Write the view of the last frame for every isovalue, as vtkTemporalCoherenceViewWriter does: a
+   * page (.html), a view file (.tcview) or a Cinema database (.cdb). Errors are reported. In one
+   * process only; an empty path is ignored.
+   */
+  void WriteView(const char* path);
+
+  /**
    * Hides the line of statistics, too.
    */
   void SetVisibility(bool visible) override;

@@ -32,13 +32,15 @@ namespace
 constexpr const char* FileName = "views.tcview";
 constexpr const char* TableName = "data.csv";
 
-/// A number that reads back as the same.
+/// A number that reads back as the same. It has a point or an exponent: to Cinema, others are whole
+/// numbers, and a column has one type.
 std::string TextOf(double number)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << std::setprecision(std::numeric_limits<double>::max_digits10) << number;
-  return text.str();
+  const std::string written = text.str();
+  return written.find_first_of(".e") == std::string::npos ? written + ".0" : written;
 }
 
 /// A text as a field of a CSV file.

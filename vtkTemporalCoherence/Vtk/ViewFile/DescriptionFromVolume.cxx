@@ -107,6 +107,7 @@ ViewGeometry GeometryOf(const FrameKey& key, vtkRenderer* renderer, double toler
   geometry.WorldFromIndex = key.Transform.WorldFromIndex;
   geometry.Box = { glm::dvec3(0.0), glm::dvec3(key.Samples.Dimensions - 1) };
   geometry.Planes = key.Region.Clips;
+  geometry.Lights = key.Appearance.Lights;
   AddBox(key.Region, key.Transform, geometry.Box.High, geometry.Planes);
   return geometry;
 }

@@ -69,6 +69,7 @@ struct ViewGeometry
   glm::dmat4 WorldFromIndex{ 1.0 };
   IndexBox Box{ glm::dvec3(0.0), glm::dvec3(0.0) };
   std::vector<glm::dvec4> Planes; ///< normal and offset in the world; the side >= 0 is kept
+  std::vector<Light> Lights;      ///< instead of those of the file; empty: those of the file
 };
 
 /// Everything in a file but the knots.

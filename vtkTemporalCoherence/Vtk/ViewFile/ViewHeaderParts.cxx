@@ -76,6 +76,16 @@ Json LightAsJson(const Light& light)
     { "specular", AsJson(light.Specular) } };
 }
 
+Json LightsAsJson(const std::vector<Light>& lights)
+{
+  Json json = Json::array();
+  for (const Light& light : lights)
+  {
+    json.push_back(LightAsJson(light));
+  }
+  return json;
+}
+
 Light LightOf(const Json& json)
 {
   Light light;
@@ -85,6 +95,14 @@ Light LightOf(const Json& json)
   light.Diffuse = VectorOf<glm::dvec3>(json.at("diffuse"));
   light.Specular = VectorOf<glm::dvec3>(json.at("specular"));
   return light;
+}
+
+void ReadLights(const Json& json, std::vector<Light>& lights)
+{
+  for (const Json& light : ListOf(json, "lights", MostLights))
+  {
+    lights.push_back(LightOf(light));
+  }
 }
 
 Json LookAsJson(const ViewLook& look)
@@ -104,11 +122,7 @@ Json LookAsJson(const ViewLook& look)
   json["material"] = { { "shade", light.Shade }, { "ambient", light.Ambient },
     { "diffuse", light.Diffuse }, { "specular", light.Specular },
     { "specularPower", light.SpecularPower }, { "twoSided", light.TwoSided } };
-  json["lights"] = Json::array();
-  for (const Light& each : light.Lights)
-  {
-    json["lights"].push_back(LightAsJson(each));
-  }
+  json["lights"] = LightsAsJson(light.Lights);
   json["background"] = AsJson(look.Background);
   if (look.Background2)
   {
@@ -140,10 +154,7 @@ void ReadLook(const Json& json, ViewLook& look)
   light.Specular = Finite(material.at("specular"));
   light.SpecularPower = Finite(material.at("specularPower"));
   light.TwoSided = material.at("twoSided").get<bool>();
-  for (const Json& each : ListOf(json, "lights", MostLights))
-  {
-    light.Lights.push_back(LightOf(each));
-  }
+  ReadLights(json, light.Lights);
   look.Background = VectorOf<glm::dvec3>(json.at("background"));
   if (json.contains("background2"))
   {
@@ -279,6 +290,10 @@ Json GeometryAsJson(const ViewGeometry& geometry)
   {
     json["planes"].push_back(AsJson(plane));
   }
+  if (!geometry.Lights.empty())
+  {
+    json["lights"] = LightsAsJson(geometry.Lights);
+  }
   return json;
 }
 
@@ -306,6 +321,10 @@ void ReadGeometry(const Json& json, int largest, ViewGeometry& geometry)
     {
       geometry.Planes.push_back(VectorOf<glm::dvec4>(plane));
     }
+  }
+  if (json.contains("lights"))
+  {
+    ReadLights(json, geometry.Lights);
   }
 }
 

@@ -11,15 +11,26 @@ namespace TemporalCoherence
 
 std::vector<std::uint8_t> Deflate(const std::vector<std::uint8_t>& bytes)
 {
-  constexpr int level = 6;
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::vector<std::uint8_t> packed(size);
-  if (compress2(packed.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), level) !=
-    Z_OK)
+  // Numbers that follow one another differ, or are all the same. To look for longer repetitions
+  // takes five times as long, and makes files of knots larger.
+  constexpr int level = 6, windowBits = 15, memory = 9, strategy = Z_RLE;
+  z_stream stream{};
+  if (deflateInit2(&stream, level, Z_DEFLATED, windowBits, memory, strategy) != Z_OK)
   {
     throw std::bad_alloc();
   }
-  packed.resize(size);
+  std::vector<std::uint8_t> packed(deflateBound(&stream, static_cast<uLong>(bytes.size())));
+  stream.next_in = const_cast<Bytef*>(bytes.data());
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = packed.data();
+  stream.avail_out = static_cast<uInt>(packed.size());
+  const bool isWhole = deflate(&stream, Z_FINISH) == Z_STREAM_END;
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (!isWhole)
+  {
+    throw std::bad_alloc();
+  }
   return packed;
 }
 

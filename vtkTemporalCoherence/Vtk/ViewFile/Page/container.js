@@ -91,6 +91,7 @@ function checkView(view, bytes) {
     "The box of a view is incomplete.");
   require(view.planes === undefined || (Array.isArray(view.planes) && view.planes.length <= 64 &&
     view.planes.every((plane) => areFinite(plane, 4))), "The planes of a view are impossible.");
+  require(view.lights === undefined || areLights(view.lights), "The lights are impossible.");
   checkChunks(view, bytes);
   const pixels = view.size[0] * view.size[1];
   for (const [name, unpacked] of [["entries", 2 * pixels], ["unknown", Math.ceil(pixels / 8)]]) {
@@ -101,16 +102,19 @@ function checkView(view, bytes) {
   }
 }
 
+function areLights(lights) {
+  return Array.isArray(lights) && lights.length <= 64 && lights.every((light) =>
+    ["position", "direction", "diffuse", "specular"].every((name) => areFinite(light[name], 3)));
+}
+
 function checkLook(header) {
-  const { surfaces, material, lights } = header;
+  const { surfaces, material } = header;
   require(Array.isArray(surfaces) && isWhole(surfaces.length, 1, 8) &&
     surfaces.every((surface) => Number.isFinite(surface.isovalue) && areFinite(surface.color, 3) &&
       Number.isFinite(surface.opacity)), "The surfaces to show are impossible.");
   require(material && ["ambient", "diffuse", "specular", "specularPower"].every((name) =>
     Number.isFinite(material[name])), "The material is incomplete.");
-  require(Array.isArray(lights) && lights.length <= 64 && lights.every((light) =>
-    ["position", "direction", "diffuse", "specular"].every((name) => areFinite(light[name], 3))),
-  "The lights are impossible.");
+  require(areLights(header.lights), "The lights are impossible.");
   require(areFinite(header.background, 3), "The background is no colour.");
   require(header.background2 === undefined || areFinite(header.background2, 3),
     "The background is no colour.");

@@ -67,7 +67,9 @@ class Controls {
     this.watchButtons();
     this.watchLook();
     document.addEventListener("keydown", (event) => this.onKey(event));
+    // By the window, its scale, or a scroll bar.
     addEventListener("resize", () => viewer.drawHistogram());
+    new ResizeObserver(() => viewer.drawHistogram()).observe(byId("histogram"));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change",
       () => viewer.drawHistogram());
   }
@@ -98,10 +100,11 @@ class Controls {
   watchPicture() {
     const canvas = byId("picture"), { viewer } = this;
     const radians = Math.PI / 400; // for a pixel of the screen
+    // What is light moves with the pointer, so the light turns the other way.
     onDrag(canvas, (event, last, isFirst) => {
       if (!isFirst) {
-        viewer.turnLight(radians * (event.clientX - last.clientX),
-          radians * (last.clientY - event.clientY));
+        viewer.turnLight(radians * (last.clientX - event.clientX),
+          radians * (event.clientY - last.clientY));
       }
     }, (event) => {
       const box = canvas.getBoundingClientRect(), [width, height] = viewer.view.size;
@@ -110,8 +113,8 @@ class Controls {
         (event.clientY - box.top - (box.height - scale * height) / 2) / scale);
     });
     canvas.addEventListener("keydown", (event) => {
-      const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1],
-        ArrowDown: [0, -0.1] };
+      const turns = { ArrowLeft: [0.1, 0], ArrowRight: [-0.1, 0], ArrowUp: [0, -0.1],
+        ArrowDown: [0, 0.1] };
       if (Object.hasOwn(turns, event.key)) {
         event.preventDefault();
         viewer.turnLight(...turns[event.key]);

@@ -44,11 +44,14 @@ class Histogram {
       return;
     }
     const [first, last] = histogram.range, { counts } = histogram;
-    const heights = counts.map((count) => Math.log1p(count));
-    const most = Math.max(...heights) || 1, each = (last - first) / counts.length;
+    const each = (last - first) / counts.length;
+    const isSeen = (i) => first + (i + 1) * each > low && first + i * each < high;
+    const heights = counts.map((count, i) => (isSeen(i) ? Math.sqrt(count) : 0));
+    const most = Math.max(...heights) || 1;
     heights.forEach((bar, i) => {
-      const x = (first + i * each - low) / (high - low) * width;
-      const end = (first + (i + 1) * each - low) / (high - low) * width;
+      // Whole pixels: else a line shows between bars.
+      const x = Math.round((first + i * each - low) / (high - low) * width);
+      const end = Math.round((first + (i + 1) * each - low) / (high - low) * width);
       context.fillRect(x, height * (1 - 0.95 * bar / most), Math.max(end - x, 1),
         height * 0.95 * bar / most);
     });

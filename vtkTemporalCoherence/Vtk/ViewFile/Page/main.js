@@ -59,7 +59,7 @@ class Viewer {
   drawNow() {
     const begin = performance.now();
     this.pictures[this.number].draw(this.surfaces, this.material,
-      turnedLights(this.header.lights, this.view, ...this.turned));
+      turnedLights(this.view.lights ?? this.header.lights, this.view, ...this.turned));
     this.steps.push(performance.now() - begin);
     this.steps.splice(0, this.steps.length - 100);
   }

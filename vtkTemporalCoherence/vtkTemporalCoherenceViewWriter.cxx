@@ -307,7 +307,7 @@ bool vtkTemporalCoherenceViewWriter::WriteView(
   {
     Internals::Collection views(this, renderer, volume);
     const std::vector<NamedCamera> wanted = this->Internal->Wanted();
-    constexpr double shareOfKnots = 0.9;
+    constexpr double shareOfKnots = 0.9, shareOfImages = 0.99; // 1 tells that all is written
     for (std::size_t view = 0; view < wanted.size(); ++view)
     {
       const double each = shareOfKnots / static_cast<double>(wanted.size());
@@ -331,7 +331,7 @@ bool vtkTemporalCoherenceViewWriter::WriteView(
       bytes = TemporalCoherence::PageOf(bytes, views.Poster, views.Description.Texts);
     }
     error = isDatabase ? TemporalCoherence::WriteCinema(file, bytes, this->NumberOfIsovalues,
-                           TemporalCoherence::PartOf(report, shareOfKnots, 1.0))
+                           TemporalCoherence::PartOf(report, shareOfKnots, shareOfImages))
                        : TemporalCoherence::ReplaceFile(file, bytes);
     if (error.empty() && this->AbortExecute)
     {

@@ -106,8 +106,6 @@ class Look(PageTest):
         self.assertEqual(len(self.browser.run("return isosurfaceView.header.lights;")), 2)
         self.assert_shows(scene)
 
-    # Not yet: pages light both sides.
-    @unittest.expectedFailure
     def test_one_side(self):
         """Where only the outside of surfaces is lit, the inside is dark."""
         scene = Scene(waves(), 1.3, (200, 200))

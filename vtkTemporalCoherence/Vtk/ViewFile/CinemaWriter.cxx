@@ -204,7 +204,7 @@ private:
   Frame Picture;
 };
 
-/// A folder beside that of a database, in which it is made. What is left of it is removed.
+/// A temporary folder: a database is made there, then renamed. The destructor removes leftovers.
 class UnfinishedFolder
 {
 public:

@@ -29,6 +29,7 @@ public:
   std::vector<std::uint8_t> Finish(const ViewDescription& description);
 
 private:
+  static void CutIntoChunks(const KnotImage& knots, ViewEntry& view);
   FileSection Append(const std::vector<std::uint8_t>& packed, std::size_t unpacked);
 
   ViewHeader Header;

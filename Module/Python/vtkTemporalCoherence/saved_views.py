@@ -64,11 +64,6 @@ def save_view(
     writer.SetCaption(caption)
     writer.SetCitation(citation)
     writer.SetUnits(units)
-    if isinstance(views, Mapping):
-        for name, camera in views.items():
-            writer.AddView(name, camera)
-    elif views != 1:
-        writer.AddOrbit(views, renderer)
     errors = []
 
     @calldata_type(VTK_STRING)
@@ -83,7 +78,12 @@ def save_view(
     writer.AddObserver(vtkCommand.ErrorEvent, hear_error)
     if progress is not None:
         writer.AddObserver(vtkCommand.ProgressEvent, hear_progress)
-    is_written = writer.WriteView(os.fspath(path), renderer, volume)
+    if isinstance(views, Mapping):
+        for name, camera in views.items():
+            writer.AddView(name, camera)
+    elif views != 1:
+        writer.AddOrbit(views, renderer)
+    is_written = not errors and writer.WriteView(os.fspath(path), renderer, volume)
     if errors:
         raise ValueError(errors[0])
     return is_written

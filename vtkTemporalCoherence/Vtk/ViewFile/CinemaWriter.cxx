@@ -204,7 +204,7 @@ private:
   Frame Picture;
 };
 
-/// A folder beside that of a database, in which it is made. What is left of it is removed.
+/// The folder of an unfinished database, beside its final place. Leftovers are removed at the end.
 class UnfinishedFolder
 {
 public:

@@ -12,9 +12,10 @@ Make all pictures, plots and tables of Documentation/Gallery.md again, from noth
 draw every route and feature and the paper's figures (Testing/Benchmarks/run.sh), run VTK's examples
 before and after the drop-in (Testing/DropIn/run.sh), and put it all into the page.
 
-usage: Documentation/gallery.sh [--quick] [--output FOLDER] [--no-packages] [--built]
+usage: Documentation/gallery.sh [--quick | --view] [--output FOLDER] [--no-packages] [--built]
 
   --quick          small pictures of generated volumes and few frames, to see that all works
+  --view           only the page that can be dragged, and its picture
   --output FOLDER  make a copy of the page and its folder Pictures there; default: Documentation
                    itself, with --quick the folder gallery-quick in the build directory
   --no-packages    install and download no packages (see Module/setup.sh --help)
@@ -37,6 +38,7 @@ quick=()
 options=(--built)
 setup_options=(--with-tests --with-example-data)
 built=no
+only_view=no
 
 say() { printf '[gallery] %s\n' "$*"; }
 fail() { printf '[gallery] FAILED: %s\n' "$*" >&2; exit 1; }
@@ -45,6 +47,7 @@ while [ $# -gt 0 ]; do
   case $1 in
     --help | -h) usage; exit 0 ;;
     --quick) quick=("$1") ;;
+    --view) only_view=yes ;;
     --no-packages) options+=("$1"); setup_options+=("$1") ;;
     --built) built=yes ;;
     --output)
@@ -96,19 +99,27 @@ check_page()
   done < <(grep -o 'Pictures/[A-Za-z0-9.-]*\.png' "$output/Gallery.md" | sort -u)
 }
 
-# The page that can be dragged: small, as it lies in the repository.
+# The page that can be dragged, and its picture. It lies in the repository, and has to be small.
 share_view()
 {
-  local volume=/usr/share/mricron/templates/ch2.nii.gz
+  local volume=/usr/share/mricron/templates/ch2.nii.gz page=$output/Pictures/view.html
+  local picture=$output/Pictures/gallery-view.png most=500000 status=0
   if [ -n "${quick[*]}" ] || [ ! -r "$volume" ]; then
     say "The page that can be dragged is left as it is."
-    [ "$output" = "$here" ] || cp "$here/Pictures/view.html" "$output/Pictures"
+    [ "$output" = "$here" ] || cp "$here/Pictures/view.html" "$here/Pictures/gallery-view.png" "$output/Pictures"
     return
   fi
-  "$repository/Examples/run.sh" --no-packages "$volume" 50 --from -y --background white --size 224 \
-    --range 20,100 --tolerance 0.5 --share "$output/Pictures/view.html" --title "A head in MR" \
-    --caption "Drag in the bars below the picture: skin, then bone and brain, at every value from 20 to 100." \
+  "$repository/Examples/run.sh" --no-packages "$volume" 50 --from +y --azimuth 25 --elevation 5 \
+    --background white --size 192 --range 30,100 --tolerance 1 --share "$page" --title "A head in MR" \
+    --caption "Drag in the bars below the picture: skin, then bone and brain, at every value from 30 to 100." \
     --citation "Holmes et al. 1998 (Colin 27), as in Debian's package mricron-data"
+  [ "$(stat -c %s "$page")" -le "$most" ] || fail "$page has more than $most bytes; ask for a smaller size or range."
+  "$here/page_picture.py" "$page" "$picture" || status=$?
+  case $status in
+    0) ;;
+    77) say "The picture of the page that can be dragged is left as it is." ;;
+    *) fail "There is no picture of $page, as told above." ;;
+  esac
 }
 
 [ "$built" = yes ] || "$repository/Module/setup.sh" "${setup_options[@]}"
@@ -116,6 +127,11 @@ mkdir -p "$work" "$output/Pictures" 2>/dev/null ||
   fail "Cannot make folders in $output; name one that can be written in with --output."
 output=$(cd "$output" && pwd)
 begin=$SECONDS
+if [ "$only_view" = yes ]; then
+  share_view
+  say "PASSED: $output/Pictures/view.html, in $((SECONDS - begin)) s"
+  exit 0
+fi
 
 "$repository/Testing/Benchmarks/run.sh" --only figures,pictures "${options[@]}" "${quick[@]}" --output "$work"
 [ -s "$work/pictures.md" ] || fail "This VTK has no charts, without which there is no gallery."

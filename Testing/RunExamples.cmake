@@ -149,7 +149,7 @@ run("${command}" --spheres 32 --size 48 --share "${pictures}/view.cdb")
 file(GLOB images "${pictures}/view.cdb/*.png")
 run("${CHECK_PICTURE}" ${images})
 
-# Samples that are read as they are needed give the same pictures. Letters are samples, too.
+# Samples that are read as they are needed give the same pictures and shared views. Letters are samples, too.
 set(large "${pictures}/large")
 file(MAKE_DIRECTORY "${large}/volume.zarr")
 set(samples "")
@@ -181,6 +181,12 @@ foreach (way IN ITEMS volume.mhd "volume.mhd;--large"
     message(FATAL_ERROR "${volume} ${way}: another picture than of samples in memory")
   endif ()
   set(digest_in_memory "${digest}")
+  run("${command}" "${large}/${volume}" ${way} --iso 70 --size 96 --share "${large}/view.tcview")
+  file(MD5 "${large}/view.tcview" digest)
+  if (DEFINED view_in_memory AND NOT digest STREQUAL view_in_memory)
+    message(FATAL_ERROR "${volume} ${way}: another view than of samples in memory")
+  endif ()
+  set(view_in_memory "${digest}")
 endforeach ()
 
 # Wrong use: exit status 1, and one line of a size to read that holds the given words, and nothing
@@ -216,7 +222,7 @@ foreach (mistake IN ITEMS "takes a number|--iso;60,nan" "outside the values|--is
     "must lie within|--maximum;--window;9;--level;1e9" "no array 'Temp' to colour by|--color-by;Temp"
     "none are drawn|--preset;mr;--color-by;Temp" "give one of them|--color;tan;--color-by;Temp"
     "give --share|--title;A" "leave out --output|--share;x.html;-o;x.png" "lowest and the highest|--range;9,3"
-    "path that ends in .html|--share;x.jpg" "from 0.02 to 10|--share;x.html;--tolerance;0"
+    "ends with .html|--share;x.jpg" "from 0.02 to 10|--share;x.html;--tolerance;0"
     "set another range|--share;x.html;--range;900,950" "is blended|--share;x.html;--preset;mr"
     "no directory|--share;/nowhere/at/all.html")
   string(REGEX MATCH "^[^|]*" words "${mistake}")

@@ -99,6 +99,29 @@ public:
   }
 
   /// \return false on error, or after a stop (without an error)
+  bool AddAll(
+    const std::vector<NamedCamera>& wanted, const TemporalCoherence::ReportProgress& report)
+  {
+    const double each = 1.0 / static_cast<double>(wanted.size());
+    for (std::size_t view = 0; view < wanted.size(); ++view)
+    {
+      const double begin = each * static_cast<double>(view);
+      if (!this->Add(wanted[view], TemporalCoherence::PartOf(report, begin, begin + each)))
+      {
+        return false;
+      }
+    }
+    return !this->Writer->AbortExecute;
+  }
+
+  TemporalCoherence::ViewFileMaker File;
+  TemporalCoherence::ViewDescription Description;
+  std::vector<std::uint8_t> Poster;               ///< of the first view
+  TemporalCoherence::ValueBand Range{ 1.0, 0.0 }; ///< of the first view
+  std::size_t Knots = 0;
+  std::string Error;
+
+private:
   bool Add(const NamedCamera& wanted, const TemporalCoherence::ReportProgress& report)
   {
     const OtherCamera camera(this->Renderer, this->Volume, wanted.Camera);
@@ -108,7 +131,8 @@ public:
       return false;
     }
     const TemporalCoherence::FrameKey& key = request.Key;
-    this->Error = TemporalCoherence::ViewMaker::WhyNot(key);
+    this->Error = TemporalCoherence::ViewFileMaker::WhyNot();
+    this->Error = this->Error.empty() ? TemporalCoherence::ViewMaker::WhyNot(key) : this->Error;
     if (!this->Error.empty())
     {
       return false;
@@ -136,14 +160,6 @@ public:
     return true;
   }
 
-  TemporalCoherence::ViewFileMaker File;
-  TemporalCoherence::ViewDescription Description;
-  std::vector<std::uint8_t> Poster;               ///< of the first view
-  TemporalCoherence::ValueBand Range{ 1.0, 0.0 }; ///< of the first view
-  std::size_t Knots = 0;
-  std::string Error;
-
-private:
   bool MakeRequest(TemporalCoherence::FrameRequest& request)
   {
     if (!this->Mapper)
@@ -305,23 +321,14 @@ bool vtkTemporalCoherenceViewWriter::WriteView(
   try
   {
     Internals::Collection views(this, renderer, volume);
-    const std::vector<NamedCamera> wanted = this->Internal->Wanted();
     constexpr double shareOfKnots = 0.9, shareOfImages = 0.99; // 1 tells that all is written
-    for (std::size_t view = 0; view < wanted.size(); ++view)
+    if (!views.AddAll(
+          this->Internal->Wanted(), TemporalCoherence::PartOf(report, 0.0, shareOfKnots)))
     {
-      const double each = shareOfKnots / static_cast<double>(wanted.size());
-      const double begin = each * static_cast<double>(view);
-      if (!views.Add(wanted[view], TemporalCoherence::PartOf(report, begin, begin + each)))
+      if (!views.Error.empty())
       {
-        if (!views.Error.empty())
-        {
-          vtkErrorMacro(<< views.Error);
-        }
-        return false;
+        vtkErrorMacro(<< views.Error);
       }
-    }
-    if (this->AbortExecute)
-    {
       return false;
     }
     std::vector<std::uint8_t> bytes = views.File.Finish(views.Description);

@@ -159,7 +159,6 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
     this->ReportOnce(error);
     return false;
   }
-
   if (window && request.Key.IsBlended() &&
     !this->EndAtOpaqueProps(renderer, volume, request, error))
   {

@@ -36,6 +36,11 @@ bool IsFilmFile(const std::string& path)
   return EndsWith(LowerCase(path), ".ogv");
 }
 
+bool IsSharedFile(const std::string& path)
+{
+  return EndsWith(path, ".html") || EndsWith(path, ".tcview") || EndsWith(path, ".cdb");
+}
+
 vtkSmartPointer<vtkImageData> PictureOf(Model& model, const Options& options)
 {
   return model.View.Picture(
@@ -83,6 +88,13 @@ void CheckOutput(const Options& options)
 {
   const std::string path = options.Share.Path.empty() ? OutputOf(options) : options.Share.Path;
   const bool isFilm = options.Motion.has_value();
+  if (!options.Share.Path.empty() && !IsSharedFile(path))
+  {
+    throw UserError(
+      "--share takes a page that ends with .html, a view file that ends with .tcview, "
+      "or a Cinema database that ends with .cdb, not " +
+      Quoted(path) + ".");
+  }
   if (options.Share.Path.empty() && !isFilm && !EndsWith(LowerCase(path), ".png"))
   {
     throw UserError(
@@ -97,7 +109,8 @@ void CheckOutput(const Options& options)
   if (!directory.empty() && !std::filesystem::is_directory(directory))
   {
     throw UserError("There is no directory " + Quoted(directory.string()) + " for " + Quoted(path) +
-      "; make it, or " + Remedy + ".");
+      "; make it, or " + (options.Share.Path.empty() ? Remedy : "name another file with --share") +
+      ".");
   }
 }
 

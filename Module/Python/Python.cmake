@@ -125,7 +125,7 @@ foreach (file IN ITEMS __init__.py blended.py everywhere.py given_data.py isosur
 endforeach ()
 
 # The pages for who writes Python, which docstrings name. Links between these lead somewhere.
-foreach (page IN ITEMS Mapper.md Porting.md PyVista.md Python.md ViewFile.md)
+foreach (page IN ITEMS Mapper.md Porting.md PyVista.md Python.md Sharing.md ViewFile.md)
   configure_file("${CMAKE_SOURCE_DIR}/Documentation/${page}"
     "${python_build_directory}/vtkTemporalCoherence/Documentation/${page}" COPYONLY)
   install(
@@ -179,4 +179,5 @@ endif ()
 if (BUILD_TESTING)
   add_subdirectory("${CMAKE_SOURCE_DIR}/Testing/Python" Testing/Python)
   add_subdirectory("${CMAKE_SOURCE_DIR}/Testing/PyVista" Testing/PyVista)
+  add_subdirectory("${CMAKE_SOURCE_DIR}/Testing/ViewPage" Testing/ViewPage)
 endif ()

@@ -304,6 +304,7 @@ void ExplorerTests::ViewsAreShared()
   };
   const QByteArray page = share("view.html");
   QVERIFY(said.last()[0].toString().startsWith("Shared: "));
+  QVERIFY(said.last()[0].toString().endsWith("open it with a browser"));
   QVERIFY(page.startsWith("<!DOCTYPE html>"));
   QVERIFY(page.contains("<title>Four &lt;spheres&gt;</title>"));
   QVERIFY(share("view.tcview").startsWith("TCVIEW"));

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A view is written from ParaView as a page and as a view file; what cannot be written leaves no file."""
+"""A view is written from ParaView as a page and as a view file."""
 
 import json
 import os
@@ -48,7 +48,6 @@ def main():
     position = list(view.CameraPosition)
     written = header.get("views", [{}])[0].get("camera", {}).get("position", [0, 0, 0])
     check(max(abs(a - b) for a, b in zip(position, written)) < 1e-6, "sharing: the camera is that of the view")
-    check(write(display, view, "view.txt") == b"", "sharing: another kind of file is refused")
 
 
 main()

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page can be used without a mouse and without seeing it: each control has a role and a name, keys reach all of them in the
-order in which they show, and what changes is told in words."""
+"""A page can be used without a mouse and without seeing it: each control has a role and a name, keys reach
+all of them in the order in which they show, and what changes is told in words."""
 
 import unittest
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cinema databases are what the specification of Cinema says, by a reader that knows nothing else. Depths and normals of their
-images are those of the view file, and of what a page shows."""
+"""Cinema databases are what the specification of Cinema says, by a reader that knows nothing else. Depths and
+normals of their images are those of the view file."""
 
 import math
 import pathlib
@@ -10,14 +10,12 @@ import unittest
 
 import needed  # noqa: F401
 import numpy
-from browser import read_png
+from cinema_images import STEPS, depths_of, normals_of
 from read_cinema import WrongDatabase, read_database
 from scenes import Scene, ball, noise, stretched, waves
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkTemporalCoherence import vtkTemporalCoherenceView, vtkTemporalCoherenceViewWriter
-
-STEPS = 65534.0
 
 
 def look_up(views, number, isovalue):
@@ -29,21 +27,6 @@ def look_up(views, number, isovalue):
     arrays = image.GetPointData()
     return (vtk_to_numpy(arrays.GetArray("Depth")).reshape(height, width).astype(float),
             vtk_to_numpy(arrays.GetArray("Normals")).reshape(height, width, 3).copy())
-
-
-def depths_of(row):
-    """The depths of an image of 16 bits; infinity without a surface."""
-    steps = read_png(row["FILE_depth"].read_bytes())
-    assert steps.dtype == numpy.uint16, steps.dtype
-    steps = steps[..., 0].astype(float)
-    low, high = row["depth_min"], row["depth_max"]
-    return numpy.where(steps > 0, low + (steps - 1.0) / STEPS * (high - low), numpy.inf)
-
-
-def normals_of(row):
-    """The normals of an image of three bytes a pixel; 0 without a surface."""
-    bytes_ = read_png(row["FILE_normal"].read_bytes()).astype(float)
-    return numpy.where(bytes_.any(axis=2, keepdims=True), (bytes_ - 128.0) / 127.0, 0.0)
 
 
 class Cinema(unittest.TestCase):
@@ -126,36 +109,6 @@ class Cinema(unittest.TestCase):
         self.assertEqual([path.name for path in other.iterdir()], ["note.txt"])
 
 
-class InPage(unittest.TestCase):
-    def test_same_depths(self):
-        """What a page shows at an isovalue of the database is what its images have."""
-        from chromium import Chromium
-        with tempfile.TemporaryDirectory() as name:
-            folder, scene = pathlib.Path(name), Scene(waves(), 1.5, (128, 96))
-            rows = read_database(scene.write(folder / "views.cdb"))
-            browser = Chromium()
-            self.addCleanup(browser.quit)
-            browser.open(scene.write(folder / "view.html"))
-            for row in (rows[0], rows[5], rows[10], rows[15]):
-                browser.type_over("isovalue", repr(row["isovalue"]))
-                self.assertEqual(browser.isovalue(), row["isovalue"])
-                shown, stored = browser.depths(), depths_of(row)
-                self.assertLessEqual((numpy.isfinite(shown) != numpy.isfinite(stored)).sum(), 1)
-                both = numpy.isfinite(shown) & numpy.isfinite(stored)
-                self.assertGreater(both.sum(), 500)
-                allowed = 0.51 * (row["depth_max"] - row["depth_min"]) / STEPS + 1e-6 * row["depth_max"]
-                self.assertLess(numpy.abs(shown[both] - stored[both]).max(), allowed)
-            # Colours of a surface without shine are those of its normals, by the light of the camera.
-            view = browser.view()
-            light = numpy.array(browser.run(
-                "return (isosurfaceView.view.lights ?? isosurfaceView.header.lights)[0].direction;"))
-            cosine = numpy.clip(-(normals_of(row) @ light), 0.0, 1.0)
-            color = 255.0 * numpy.array(browser.surfaces()[0]["color"]) * cosine[..., None]
-            differences = numpy.abs(browser.pixels() - color).max(axis=2)[both]
-            self.assertGreater(view["normalSteps"], 0)
-            self.assertLess(numpy.percentile(differences, 95), 4.0)
-
-
 class WrongDatabases(unittest.TestCase):
     """The reader finds what the specification does not allow."""
 
@@ -171,9 +124,9 @@ class WrongDatabases(unittest.TestCase):
 
     def test_refused(self):
         for table in (
-                b"", b"a,b\n", b"a,a\n1,2\n", b",b\n1,2\n", b"a,b\n1\n", b"a,b\n1,2,3\n", b"a\n1\n1.5\n", b"a\n1.5\n1\n",
-                b"a\nx\n1\n", b"FILE,a\nb.png,1\n", b"a,FILE\n1,missing.png\n", b'a\n"open\n', b'a\nb"c"\n',
-                b'a\n"b"c\n', b"a\n\xff\n"):
+                b"", b"a,b\n", b"a,a\n1,2\n", b",b\n1,2\n", b"a,b\n1\n", b"a,b\n1,2,3\n", b"a\n1\n1.5\n",
+                b"a\n1.5\n1\n", b"a\nx\n1\n", b"FILE,a\nb.png,1\n", b"a,FILE\n1,missing.png\n", b'a\n"open\n',
+                b'a\nb"c"\n', b'a\n"b"c\n', b"a\n\xff\n"):
             self.refuse(table, ["b.png"])
 
     def test_read(self):

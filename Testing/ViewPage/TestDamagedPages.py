@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page with damaged data, or in a browser that is too old, says a sentence about it, keeps its first picture, and throws
-nothing."""
+"""A page with damaged data, or in a browser that is too old, says a sentence about it, keeps its first
+picture, and throws nothing."""
 
 import re
 import struct

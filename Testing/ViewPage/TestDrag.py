@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever isovalue the mouse drags to, a page shows what the mapper shows of the volume: depths within the tolerance,
-and colours. This is so for smooth fields, for noise, and for long voxels, of several types."""
+"""Whatever isovalue the mouse drags to, a page shows what the mapper shows of the volume: depths within the
+tolerance, and colours. This is so for smooth fields, for noise, and for long voxels, of several types."""
 
 import unittest
 

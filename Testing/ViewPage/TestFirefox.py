@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Firefox shows a page as the mapper shows the volume, and obeys the same mouse, keys and fingers as Chromium."""
+"""Firefox shows a page as the mapper shows the volume, and obeys the same mouse, keys and fingers as
+Chromium."""
 
 import pathlib
 import tempfile

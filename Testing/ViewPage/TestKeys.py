@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Keys and clicks of a page do what its help says: they change the isovalue and the view, turn the light, save the picture,
-and read depths that are the mapper's."""
+"""Keys and clicks of a page do what its help says: they change the isovalue and the view, turn the light,
+save the picture, and read depths that are the mapper's."""
 
 import re
 import unittest

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colours by isovalue, opacity, material, lights and backgrounds look in a page as the mapper shows them, as they are written
-and as its controls change them."""
+"""Colours by isovalue, opacity, material, lights and backgrounds look in a page as the mapper shows them, as
+they are written and as its controls change them."""
 
 import unittest
 
@@ -106,8 +106,6 @@ class Look(PageTest):
         self.assertEqual(len(self.browser.run("return isosurfaceView.header.lights;")), 2)
         self.assert_shows(scene)
 
-    # Not yet: pages light both sides.
-    @unittest.expectedFailure
     def test_one_side(self):
         """Where only the outside of surfaces is lit, the inside is dark."""
         scene = Scene(waves(), 1.3, (200, 200))

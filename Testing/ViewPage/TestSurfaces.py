@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several surfaces in a page, opaque and translucent, are composited of the mapper's pictures of each, and are the mapper's
-picture where rays meet no surface twice. Surfaces can be added, chosen, moved and removed."""
+"""Several surfaces in a page, opaque and translucent, are composited of the mapper's pictures of each, and
+are the mapper's picture where rays meet no surface twice. Surfaces can be added, chosen, moved and
+removed."""
 
 import unittest
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page shows texts as they are, whatever is in them, and runs nothing of them. Opened from a file, it asks for nothing, and
-its content security policy stops what is not its own."""
+"""A page shows texts as they are, whatever is in them, and runs nothing of them. Opened from a file, it asks
+for nothing, and its content security policy stops what is not its own."""
 
 import re
 import unittest

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page fits into small and large windows, in light and dark schemes, and fills the screen. All controls can be reached, also
-with a finger."""
+"""A page fits into small and large windows, in light and dark schemes, and fills the screen. All controls can
+be reached, also with a finger."""
 
 import os
 import pathlib
@@ -154,7 +154,8 @@ class Windows(PageTest):
         self.browser.drag_in_window(place, (place[0] + 20, place[1] + 5), (place[0] + 60, place[1] - 60),
                                     pointer="touch")
         self.assertTrue((self.browser.pixels() != before).any())
-        self.assertEqual(self.browser.run("return document.getElementById('picture').getBoundingClientRect().top;"), top)
+        self.assertEqual(
+            self.browser.run("return document.getElementById('picture').getBoundingClientRect().top;"), top)
         self.browser.drag("picture", (0.5, 0.5), pointer="touch")
         self.assertIn("depth", self.browser.text("told"))
         self.assert_no_complaints()

@@ -44,6 +44,7 @@ class Chromium(Browser):
             self.driver = webdriver.Chrome(service=Service(driver), options=options)
         except SessionNotCreatedException as error:
             needed.skip(f"Chromium does not start here: {error.msg.splitlines()[0]}")
+        self.driver.set_script_timeout(600)
         self.before_scripts(_LISTEN)
 
     def quit(self):

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Model/Sharing.h"
 
+#include "Files/Reading.h"
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 
@@ -62,7 +63,7 @@ std::string Written(vtkTemporalCoherenceViewWriter* writer, const SharedView& wa
   const double* const range = writer->GetWrittenRange();
   text << "Shared: " << Printable(wanted.Path) << ", "
        << static_cast<double>(writer->GetBytesWritten()) / megabyte << " MB, isovalues " << range[0]
-       << " to " << range[1];
+       << " to " << range[1] << (EndsWith(wanted.Path, ".html") ? "; open it with a browser" : "");
   return text.str();
 }
 

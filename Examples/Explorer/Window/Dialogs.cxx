@@ -162,6 +162,7 @@ void AskSharing(QMainWindow& window, Workbench& bench)
     texts[i] = new QLineEdit;
     dialog.Rows->addRow(names[i], texts[i]);
   }
+  texts[0]->setText(QString::fromStdString(bench.Data.Data().Name));
   const QSpinBox* views = dialog.AddNumber(QObject::tr("Views around the volume"), 1, 64);
   const QString path = !dialog.Ask()
     ? QString()
@@ -170,7 +171,8 @@ void AskSharing(QMainWindow& window, Workbench& bench)
   if (!path.isEmpty())
   {
     SharedView wanted;
-    wanted.Path = QFile::encodeName(path).toStdString();
+    const QString suffix = QFileInfo(path).suffix().isEmpty() ? ".html" : "";
+    wanted.Path = QFile::encodeName(path + suffix).toStdString();
     wanted.Title = texts[0]->text().toStdString();
     wanted.Caption = texts[1]->text().toStdString();
     wanted.Citation = texts[2]->text().toStdString();

@@ -45,7 +45,7 @@ namespace
 {
 
 constexpr vtkIdType NumberOfRoutes =
-  vtkTemporalCoherenceVolumeMapper::ROUTE_REFINE + 1; // the last one
+  vtkTemporalCoherenceVolumeMapper::ROUTE_KEEP_LABELS + 1; // the last one
 
 bool IsAlone(vtkMultiProcessController* controller)
 {

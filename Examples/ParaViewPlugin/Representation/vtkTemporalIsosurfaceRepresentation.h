@@ -171,7 +171,7 @@ public:
   /**
    * How many frames took each route, since this was made: Cold, Redisplay, Reshade, IsomapLookup,
    * IsomapBuild, a number without a route, ImageCache, TimeStep, Recomposite, a number without a
-   * route, KeepValues, Antialias, FewerRays, Refine.
+   * route, KeepValues, Antialias, FewerRays, Refine, KeepLabels.
    * Frames that failed are not counted.
    */
   vtkIdTypeArray* GetRouteCounts();

@@ -23,7 +23,7 @@ struct SurfaceHistogram
   glm::dvec2 Range{ 0.0 };
   std::vector<std::int64_t> Counts; ///< empty if no sample is finite
 
-  /// The isovalue with a share of all counts below it.
+  /// The isovalue below which a given share of all surfaces lies.
   double IsovalueAt(double share) const;
 };
 

@@ -88,7 +88,7 @@ private:
   static constexpr double ChordError = 0.2;
   /// Largest error of a piece at the ends of chords. Knots are rounded to whole steps.
   static constexpr double PieceError = LargestError - ChordError - 0.5;
-  /// The share of a piece in which it may end.
+  /// Round progress for a knot is sought in this last part of a piece.
   static constexpr double LastPart = 0.4;
 
   /// A way through a cell.

@@ -204,7 +204,7 @@ private:
   Frame Picture;
 };
 
-/// The folder of an unfinished database, beside its final place. Leftovers are removed at the end.
+/// A temporary folder: a database is made there, then renamed. The destructor removes leftovers.
 class UnfinishedFolder
 {
 public:

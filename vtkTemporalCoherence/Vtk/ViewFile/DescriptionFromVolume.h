@@ -16,7 +16,7 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// How a frame's surfaces look, and where there are others.
+/// Colours, material, lights and background of a frame's surfaces.
 ViewLook LookOf(
   const FrameKey& key, const SurfaceHistogram& surfaces, vtkRenderer* renderer, vtkVolume* volume);
 

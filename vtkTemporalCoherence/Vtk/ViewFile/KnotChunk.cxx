@@ -84,7 +84,7 @@ std::uint8_t Difference(int value, int expected)
   return static_cast<std::uint8_t>(value - expected);
 }
 
-/// Encodes the knots of one pixel after the other.
+/// Encodes knots, pixel by pixel.
 class Encoder
 {
 public:

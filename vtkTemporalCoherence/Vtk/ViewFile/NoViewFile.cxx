@@ -7,6 +7,11 @@
 namespace TemporalCoherence
 {
 
+std::string ViewFileMaker::WhyNot()
+{
+  return "This build was made without zlib or nlohmann-json, which view files need.";
+}
+
 void ViewFileMaker::Add(const ViewGeometry&, const KnotImage&) {}
 
 std::vector<std::uint8_t> ViewFileMaker::Finish(const ViewDescription&)
@@ -16,7 +21,7 @@ std::vector<std::uint8_t> ViewFileMaker::Finish(const ViewDescription&)
 
 std::string ReadViews(const std::vector<std::uint8_t>&, LoadedViews&)
 {
-  return "This build was made without zlib or nlohmann-json, which view files need.";
+  return ViewFileMaker::WhyNot();
 }
 
 }

@@ -225,13 +225,13 @@ FileSection ViewFileMaker::Append(const Bytes& packed, std::size_t unpacked)
   return section;
 }
 
-void ViewFileMaker::Add(const ViewGeometry& geometry, const KnotImage& knots)
+std::string ViewFileMaker::WhyNot()
 {
-  ViewEntry view;
-  view.Geometry = geometry;
-  view.Range = knots.Values;
-  view.Grid = knots.Grid;
-  view.NormalSteps = knots.NormalSteps;
+  return {};
+}
+
+void ViewFileMaker::CutIntoChunks(const KnotImage& knots, ViewEntry& view)
+{
   const auto width = static_cast<std::size_t>(knots.Size.x);
   for (const ValueDirection direction : { ValueDirection::Rising, ValueDirection::Falling })
   {
@@ -251,6 +251,16 @@ void ViewFileMaker::Add(const ViewGeometry& geometry, const KnotImage& knots)
       }
     }
   }
+}
+
+void ViewFileMaker::Add(const ViewGeometry& geometry, const KnotImage& knots)
+{
+  ViewEntry view;
+  view.Geometry = geometry;
+  view.Range = knots.Values;
+  view.Grid = knots.Grid;
+  view.NormalSteps = knots.NormalSteps;
+  this->CutIntoChunks(knots, view);
   std::vector<Bytes> packed(view.Chunks.size());
   std::atomic<bool> hasNoMemory{ false };
   ParallelFor(static_cast<std::int64_t>(packed.size()), 1,
@@ -282,7 +292,7 @@ void ViewFileMaker::Add(const ViewGeometry& geometry, const KnotImage& knots)
   { return this->Append(Deflate(bytes), bytes.size()); };
   if (!knots.Entries.empty())
   {
-    view.Entries = addSection(EncodeEntries(knots.Entries, width));
+    view.Entries = addSection(EncodeEntries(knots.Entries, static_cast<std::size_t>(knots.Size.x)));
   }
   if (!knots.Unknown.empty())
   {

@@ -17,6 +17,9 @@ namespace TemporalCoherence
 class ViewFileMaker
 {
 public:
+  /// \return why this build cannot make files, as a sentence; empty if it can
+  static std::string WhyNot();
+
   /// Add a view. Its knots are compressed at once, in all threads.
   /// \throws std::bad_alloc
   void Add(const ViewGeometry& geometry, const KnotImage& knots);
@@ -26,6 +29,7 @@ public:
   std::vector<std::uint8_t> Finish(const ViewDescription& description);
 
 private:
+  static void CutIntoChunks(const KnotImage& knots, ViewEntry& view);
   FileSection Append(const std::vector<std::uint8_t>& packed, std::size_t unpacked);
 
   ViewHeader Header;

@@ -17,7 +17,7 @@ constexpr const char* DirectionNames[NumberOfDirections] = { "rising", "falling"
 constexpr std::size_t MostViews = 64;
 constexpr int LargestSide = 16384;
 constexpr std::int64_t MostPixels = std::int64_t(1) << 26; // of all views
-/// Deflate packs at most so many bytes into one.
+/// The largest ratio of unpacked to packed bytes that deflate reaches.
 constexpr std::uint64_t MostPacked = 1032;
 constexpr std::uint64_t LeastBytesOfKnot = 6;
 

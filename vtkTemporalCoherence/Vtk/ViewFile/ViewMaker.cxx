@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace TemporalCoherence
 {
@@ -17,7 +18,7 @@ std::string ViewMaker::WhyNot(const FrameKey& key)
     return "WriteView writes isosurfaces, but this volume is blended; set the blend mode to "
            "isosurfaces.";
   }
-  if (key.Appearance.ByArray && key.Isosurfaces().Isovalues.empty())
+  if (key.Samples.Labels)
   {
     return "WriteView writes isosurfaces, not labels.";
   }
@@ -34,11 +35,6 @@ std::string ViewMaker::WhyNot(const FrameKey& key)
   {
     return "WriteView needs linear interpolation; call SetInterpolationTypeToLinear() of the "
            "volume's property.";
-  }
-  if (key.Samples.Hidden)
-  {
-    return "WriteView cannot write data with hidden cells or samples that are no numbers; give "
-           "these a value first.";
   }
   if (!key.Region.IsConvex())
   {
@@ -70,13 +66,21 @@ bool ViewMaker::Make(const FrameKey& key, const ValueBand& range, const ReportPr
   KnotImage& knots, std::string& error)
 {
   FrameKey bare = WithoutLook(key, 0.0);
-  const glm::dvec2 samples = this->Renderer.RangesOf(bare).Pyramid->FiniteRange();
+  const FieldRanges& ranges = this->Renderer.RangesOf(bare);
+  if (ranges.Samples.Hidden)
+  {
+    error = "WriteView cannot write data with hidden cells or samples that are no numbers; give "
+            "these a value first.";
+    return false;
+  }
+  const glm::dvec2 samples = ranges.Pyramid->FiniteRange();
   const ValueBand met{ std::max(range.Low, samples.x), std::min(range.High, samples.y) };
   if (!(met.Low <= met.High))
   {
-    error = "WriteView was asked for isovalues from " + std::to_string(range.Low) + " to " +
-      std::to_string(range.High) + ", but samples lie from " + std::to_string(samples.x) + " to " +
-      std::to_string(samples.y) + "; set another range.";
+    std::ostringstream text;
+    text << "WriteView was asked for isovalues from " << range.Low << " to " << range.High
+         << ", but samples lie from " << samples.x << " to " << samples.y << "; set another range.";
+    error = text.str();
     return false;
   }
   bare = WithoutLook(key, met.Low + 0.5 * (met.High - met.Low));

@@ -77,7 +77,7 @@ bool ReadBase64(std::string_view text, Bytes& bytes)
   return true;
 }
 
-/// A text that shows as it is in HTML, also in attributes.
+/// Escapes a text for HTML, attributes included.
 std::string Escaped(const std::string& text)
 {
   std::string escaped;

@@ -43,7 +43,7 @@ function powersOf(power) {
   return table;
 }
 
-// Shades the surfaces that a lookup found.
+// Shades the surfaces that a lookup found. With one-sided light, those seen from inside are dark.
 class Shader {
   constructor(view, pixels) {
     this.view = view;
@@ -69,13 +69,14 @@ class Shader {
   }
 
   // One light from afar: as a headlight.
-  shadeSimply({ distances, normals }, color, material, light) {
+  shadeSimply({ distances, normals, kinds }, color, material, light) {
     const { view: { size: [width, height], rays }, pixels, colors } = this;
     const [lx, ly, lz] = light.direction.map((value) => -value);
     const ambient = color.map((value) => 255 * material.ambient * value);
     const diffuse = color.map((value, c) => 255 * material.diffuse * light.diffuse[c] * value);
     const shine = light.specular.map((value) => 255 * Math.max(material.specular, 0) * value);
     const [ar, ag, ab] = ambient, [dr, dg, db] = diffuse, [sr, sg, sb] = shine;
+    const dark = material.twoSided === false ? FALLING : 0;
     const isShiny = sr !== 0 || sg !== 0 || sb !== 0;
     const powers = powersOf(material.specularPower);
     const [x0, y0, z0] = rays.direction, [xx, yx, zx] = rays.directionX;
@@ -99,7 +100,8 @@ class Shader {
       const vx = bx + x * xx, vy = by + x * yx, vz = bz + x * zx;
       let nx = normals[3 * i], ny = normals[3 * i + 1], nz = normals[3 * i + 2];
       const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-      const scale = (nx * vx + ny * vy + nz * vz > 0 ? -1 : 1) / length;
+      const turn = nx * vx + ny * vy + nz * vz > 0 ? -1 : 1;
+      const scale = ((kinds[i] & dark) === 0 ? turn : -turn) / length;
       nx *= scale;
       ny *= scale;
       nz *= scale;
@@ -128,7 +130,7 @@ class Shader {
   }
 
   // Any lights.
-  shadeByAll({ distances, normals }, color, material, lights) {
+  shadeByAll({ distances, normals, kinds }, color, material, lights) {
     const { pixels, colors, view } = this, rays = new Rays(view);
     for (let i = 0; i < pixels.length; ++i) {
       if (distances[i] < 0) {
@@ -136,7 +138,8 @@ class Shader {
       }
       const { origin, direction, begin } = rays.of(pixels[i]);
       let normal = normalized([normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]]);
-      normal = dot(normal, direction) > 0 ? normal.map((value) => -value) : normal;
+      const isInside = material.twoSided === false && (kinds[i] & FALLING) !== 0;
+      normal = dot(normal, direction) > 0 !== isInside ? normal.map((value) => -value) : normal;
       const sum = color.map((value) => material.ambient * value);
       for (const light of lights) {
         const depth = begin + distances[i];

@@ -99,7 +99,9 @@ public:
    * @param count 1 to 64, the first one is that of the camera
    */
   void AddOrbit(int count, vtkRenderer* renderer);
+  /** Forget the added views: the view of the renderer's camera is written again. */
   void RemoveAllViews();
+  /** How many views were added; 0: the view of the renderer's camera is written. */
   int GetNumberOfViews() const;
 
   /**

@@ -17,13 +17,15 @@ from vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
     vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
     vtkTemporalCoherencePresets, vtkTemporalCoherenceRefiner, vtkTemporalCoherenceStatistics,
-    vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceView, vtkTemporalCoherenceViewWriter, vtkTemporalCoherenceVolume,
+    vtkTemporalCoherenceVolumeMapper)
 
 CLASSES = (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
     vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
     vtkTemporalCoherencePresets, vtkTemporalCoherenceRefiner, vtkTemporalCoherenceStatistics,
-    vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceView, vtkTemporalCoherenceViewWriter, vtkTemporalCoherenceVolume,
+    vtkTemporalCoherenceVolumeMapper)
 
 # Set...To..., the value that Get... returns then, and the constant of that value.
 CHOICES = {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The scripts of pages read view files with random changes, or refuse them with a sentence: they
-// throw nothing else, and do not hang.
+// throw nothing else, and do not hang (who runs this has a limit of time).
 //
 // usage: node mutate.mjs FILE.tcview [--count N]
 
@@ -14,7 +14,6 @@ import zlib from "node:zlib";
 
 const PAGE = path.join(path.dirname(fileURLToPath(import.meta.url)),
   "../../vtkTemporalCoherence/Vtk/ViewFile/Page");
-const PATIENCE = 20000; // milliseconds for one file: only a hang takes so long
 const BYTES_BEFORE_HEADER = 24;
 
 // The scripts have no exports: they are parts of one.
@@ -94,13 +93,13 @@ class Mutator {
       }
       const kind = this.below(5), isNumber = typeof parent[key] === "number";
       if (kind === 0 && Array.isArray(parent)) {
-        parent.push(parent[key]);
+        parent.push(structuredClone(parent[key]));
       } else if (kind === 1) {
         delete parent[key];
       } else if (kind === 2 && isNumber) {
         parent[key] += 1;
       } else {
-        parent[key] = values[this.below(values.length)];
+        parent[key] = structuredClone(values[this.below(values.length)]);
       }
     }
     return this.join(Buffer.from(JSON.stringify(header)), this.sections);
@@ -149,10 +148,6 @@ async function main([name, option, number]) {
   }
   let refused = 0, damaged = 0;
   for (let i = 0; i < count; ++i) {
-    const watch = setTimeout(() => {
-      console.error(`FAILED: change ${i} takes too long`);
-      process.exit(1);
-    }, PATIENCE);
     try {
       const found = await wrongOf(mutator.make(i));
       refused += found !== "";
@@ -161,7 +156,6 @@ async function main([name, option, number]) {
       console.error(`FAILED: change ${i} throws what is no WrongFile: ${error.stack}`);
       process.exit(1);
     }
-    clearTimeout(watch);
   }
   console.log(`${count} changes: ${refused} refused, ${damaged} of them for a knot`);
   if (refused < count / 4 || refused === count || damaged === 0) {

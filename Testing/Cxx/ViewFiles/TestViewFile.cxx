@@ -9,6 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cctype>
+#include <fstream>
+
 namespace
 {
 
@@ -235,6 +238,16 @@ TEST(ViewFile, SectionsDoNotOverlap)
   // With all bytes of the file named once, these are too many.
   parts.Header = header.dump();
   EXPECT_NE(ErrorOf(parts.Join()).find("sections overlap"), std::string::npos);
+}
+
+/// For tests of the page's scripts, a file in the present folder.
+TEST(ViewFile, IsLeftForScripts)
+{
+  const Bytes file = MakeFile();
+  std::ofstream stream("left.tcview", std::ios::binary);
+  stream.write(
+    reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
+  EXPECT_TRUE(stream.flush());
 }
 
 TEST(ViewFile, TooManyPixelsAreRefused)

@@ -45,6 +45,10 @@ function isWhole(value, low, high) {
   return Number.isInteger(value) && value >= low && value <= high;
 }
 
+function isObject(value) {
+  return typeof value === "object" && value !== null;
+}
+
 function areFinite(values, count) {
   return Array.isArray(values) && values.length === count && values.every(Number.isFinite);
 }
@@ -62,7 +66,8 @@ function checkChunks(view, bytes) {
   require(Array.isArray(view.chunks), "A view has no list of chunks.");
   for (const chunk of view.chunks) {
     checkSection(chunk, bytes);
-    require(Object.hasOwn(knots, chunk.direction), "A direction is neither rising nor falling.");
+    require(chunk.direction === "rising" || chunk.direction === "falling",
+      "A direction is neither rising nor falling.");
     const first = next[chunk.direction];
     require(isWhole(chunk.first, first, view.size[1] - 1) &&
       isWhole(chunk.rows, 1, view.size[1] - chunk.first), "Chunks overlap, or are not in order.");
@@ -80,8 +85,8 @@ function checkView(view, bytes) {
   require(areFinite(view.range, 2) && view.range[0] <= view.range[1], "A range is impossible.");
   const { progress, rays, box } = view;
   require(progress && isWhole(progress.largest, 1, 65535) && progress.margin === 4 &&
-    progress.step > 0 && Number.isFinite(progress.step), "The steps of progress are impossible.");
-  require(view.distanceStep > 0 && Number.isFinite(view.distanceStep) &&
+    Number.isFinite(progress.step) && progress.step > 0, "The steps of progress are impossible.");
+  require(Number.isFinite(view.distanceStep) && view.distanceStep > 0 &&
     isWhole(view.normalSteps, 1, 127) && Number.isFinite(view.tolerance) &&
     Number.isFinite(view.voxel), "The steps of distances or normals are impossible.");
   require(rays && ["origin", "originX", "originY", "direction", "directionX", "directionY",
@@ -104,14 +109,16 @@ function checkView(view, bytes) {
 
 function areLights(lights) {
   return Array.isArray(lights) && lights.length <= 64 && lights.every((light) =>
-    ["position", "direction", "diffuse", "specular"].every((name) => areFinite(light[name], 3)));
+    isObject(light) && ["position", "direction", "diffuse", "specular"].every((name) =>
+      areFinite(light[name], 3)));
 }
 
 function checkLook(header) {
   const { surfaces, material } = header;
   require(Array.isArray(surfaces) && isWhole(surfaces.length, 1, 8) &&
-    surfaces.every((surface) => Number.isFinite(surface.isovalue) && areFinite(surface.color, 3) &&
-      Number.isFinite(surface.opacity)), "The surfaces to show are impossible.");
+    surfaces.every((surface) => isObject(surface) && Number.isFinite(surface.isovalue) &&
+      areFinite(surface.color, 3) && Number.isFinite(surface.opacity)),
+  "The surfaces to show are impossible.");
   require(material && ["ambient", "diffuse", "specular", "specularPower"].every((name) =>
     Number.isFinite(material[name])), "The material is incomplete.");
   require(areLights(header.lights), "The lights are impossible.");
@@ -122,7 +129,7 @@ function checkLook(header) {
     header.colors.length <= 4096 && header.colors.every((color) => areFinite(color, 4))),
   "The colours are impossible.");
   const histogram = header.histogram;
-  require(histogram === undefined || (areFinite(histogram.range, 2) &&
+  require(histogram === undefined || (isObject(histogram) && areFinite(histogram.range, 2) &&
     Array.isArray(histogram.counts) && histogram.counts.length <= 256 &&
     histogram.counts.every((count) => Number.isFinite(count) && count >= 0)),
   "The histogram is impossible.");
@@ -155,12 +162,17 @@ function readContainer(file) {
   checkLook(header);
   require(Array.isArray(header.views) && isWhole(header.views.length, 1, 64),
     "The file has no view, or more than 64.");
-  let pixels = 0;
+  let pixels = 0, used = 0;
   for (const view of header.views) {
     require(view && view.knots, "A view is incomplete.");
     checkView(view, sections.length);
     pixels += view.size[0] * view.size[1];
+    for (const section of [...view.chunks, view.entries, view.unknown]) {
+      used += section ? section.bytes : 0;
+    }
   }
   require(pixels <= MOST_PIXELS, "The views have too many pixels.");
+  // Else few bytes could be unpacked to any size.
+  require(used <= sections.length, "The sections of the file overlap.");
   return { header, sections };
 }

@@ -78,6 +78,11 @@ class Shader {
     const [ar, ag, ab] = ambient, [dr, dg, db] = diffuse, [sr, sg, sb] = shine;
     const dark = material.twoSided === false ? FALLING : 0;
     const isShiny = sr !== 0 || sg !== 0 || sb !== 0;
+    const most = 4095, matt = new Int32Array(most + 1); // colours by the cosine, without shine
+    for (let step = 0; step <= most; ++step) {
+      const cosine = step / most;
+      matt[step] = packed(ar + cosine * dr, ag + cosine * dg, ab + cosine * db);
+    }
     const powers = powersOf(material.specularPower);
     const [x0, y0, z0] = rays.direction, [xx, yx, zx] = rays.directionX;
     const [xy, yy, zy] = rays.directionY;
@@ -106,23 +111,25 @@ class Shader {
       ny *= scale;
       nz *= scale;
       const cosine = nx * lx + ny * ly + nz * lz;
+      if (!isShiny) {
+        colors[i] = matt[cosine > 0 ? (most * cosine + 0.5) | 0 : 0];
+        continue;
+      }
       let r = ar, g = ag, b = ab;
       if (cosine > 0) {
         r += cosine * dr;
         g += cosine * dg;
         b += cosine * db;
-        if (isShiny) {
-          const twice = 2 * cosine;
-          let mirrored = (lx - twice * nx) * vx + (ly - twice * ny) * vy + (lz - twice * nz) * vz;
-          if (mirrored > 0) {
-            mirrored = Math.min(mirrored / Math.sqrt(vx * vx + vy * vy + vz * vz), 1);
-            const place = 1024 * mirrored, low = place | 0;
-            const power = powers[low] + (place - low) * (powers[low < 1024 ? low + 1 : low] -
-              powers[low]);
-            r += power * sr;
-            g += power * sg;
-            b += power * sb;
-          }
+        const twice = 2 * cosine;
+        let mirrored = (lx - twice * nx) * vx + (ly - twice * ny) * vy + (lz - twice * nz) * vz;
+        if (mirrored > 0) {
+          mirrored = Math.min(mirrored / Math.sqrt(vx * vx + vy * vy + vz * vz), 1);
+          const place = 1024 * mirrored, low = place | 0;
+          const power = powers[low] + (place - low) * (powers[low < 1024 ? low + 1 : low] -
+            powers[low]);
+          r += power * sr;
+          g += power * sg;
+          b += power * sb;
         }
       }
       colors[i] = packed(r, g, b);

@@ -42,8 +42,8 @@ public:
   //@{
   /**
    * Set/Get the isovalues that are written, from the lowest to the highest. Isovalues beyond
-   * the range of the data are left out. Default: none (1, 0), which takes those that leave out the 5 % of surfaces
-   * with the lowest, and the 5 % with the highest isovalues.
+   * the range of the data are left out. Default: none (1, 0), which takes those that leave out the
+   * 5 % of surfaces with the lowest, and the 5 % with the highest isovalues.
    */
   vtkSetVector2Macro(Range, double);
   vtkGetVector2Macro(Range, double);

@@ -13,7 +13,8 @@ import tempfile
 import unittest
 
 import numpy
-from spheres import distances, image_of
+from spheres import distances, image_of, renderer_at, volume_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkVolume
 from vtkTemporalCoherence import composite, isosurface, save_view, segmentation, vtkTemporalCoherenceView
@@ -76,6 +77,16 @@ class Sharing(unittest.TestCase):
         save_view(self.volume, "named.tcview", views={"front": camera, "again": camera}, size=SIZE)
         views = read("named.tcview")
         self.assertEqual([views.GetViewName(view) for view in range(2)], ["front", "again"])
+
+    def test_depths(self):
+        volume = volume_of(image_of(distances()), 0.5)
+        save_view(volume, "sphere.tcview", renderer=renderer_at(4.0), size=(40, 40), range=(0.2, 0.7))
+        views, image = read("sphere.tcview"), vtkImageData()
+        for isovalue in (0.3, 0.5, 0.65):
+            self.assertTrue(views.LookUp(0, isovalue, image))
+            depth = vtk_to_numpy(image.GetPointData().GetArray("Depth")).reshape(40, 40)
+            self.assertAlmostEqual(float(depth[20, 20]), 4.0 - (1.0 - isovalue), delta=0.02)
+            self.assertEqual(depth[0, 0], float("inf"))
 
     def test_database(self):
         self.assertTrue(save_view(self.volume, "a.cdb", size=SIZE))

@@ -49,7 +49,7 @@ TEST(KnotChunk, AnyKnotsComeBack)
   {
     for (const int largest : { 1, 7, 4095, 65535 })
     {
-      for (const std::uint32_t farthest : { 100u, 100000u, 2147483647u, 4294967295u })
+      for (const std::uint32_t farthest : { 100u, 100000u, 2147483647u })
       {
         SCOPED_TRACE(testing::Message() << size.x << " x " << size.y << ", progress " << largest
                                         << ", distance " << farthest << ", seed " << seed);

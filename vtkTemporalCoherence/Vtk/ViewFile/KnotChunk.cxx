@@ -276,7 +276,7 @@ private:
       neighbors.GoTo(static_cast<int>(progress));
       const std::int64_t distance =
         neighbors.DistanceExpected() + this->Streams[Distances].Number();
-      if (distance < 0 || distance > std::numeric_limits<std::uint32_t>::max() ||
+      if (distance < 0 || distance > std::numeric_limits<std::int32_t>::max() ||
         !this->Streams[Distances].IsGood())
       {
         return false;

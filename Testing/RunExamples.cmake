@@ -222,6 +222,7 @@ foreach (mistake IN ITEMS "takes a number|--iso;60,nan" "outside the values|--is
     "must lie within|--maximum;--window;9;--level;1e9" "no array 'Temp' to colour by|--color-by;Temp"
     "none are drawn|--preset;mr;--color-by;Temp" "give one of them|--color;tan;--color-by;Temp"
     "give --share|--title;A" "leave out --output|--share;x.html;-o;x.png" "lowest and the highest|--range;9,3"
+    "by plain light|--share;x.html;--shadows" "by plain light|--share;x.html;--threshold"
     "ends with .html|--share;x.jpg" "from 0.02 to 10|--share;x.html;--tolerance;0"
     "set another range|--share;x.html;--range;900,950" "is blended|--share;x.html;--preset;mr"
     "no directory|--share;/nowhere/at/all.html")

@@ -265,6 +265,18 @@ void CheckSharing(const Options& options)
     throw UserError("--share writes a view instead of a picture or film; leave out --output, "
                     "--film and --samples.");
   }
+  const std::set<std::size_t> leftOut = { Row::Occlusion, Row::Shadows, Row::Cut, Row::Outline,
+    Row::Axes, Row::ScaleBar, Row::ColorBar };
+  const bool wantsMore = options.ThresholdMode || !options.ColorBy.empty() ||
+    std::any_of(options.Choices.begin(), options.Choices.end(),
+      [&](const auto& made) { return leftOut.count(made.first) > 0; });
+  if (!share.Path.empty() && wantsMore)
+  {
+    throw UserError(
+      "A shared view has surfaces in the colours of their isovalues, by plain light, and nothing "
+      "beside them; leave out --threshold, --color-by, --occlusion, --shadows, --cut, --outline, "
+      "--axes, --scale-bar and --color-bar.");
+  }
 }
 
 // What can be known before a volume is read.

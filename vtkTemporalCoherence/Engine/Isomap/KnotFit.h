@@ -119,7 +119,10 @@ private:
     this->Reached = highest;
     const double first = Evaluate(way.Progress, begin);
     const double from = first < lowest ? CrossingOf(way.Progress, lowest, begin, end) : begin;
-    this->Begin({ std::max(lowest, first), way.At(from) }, emit);
+    // What is leapt over is not bridged, however large the tolerance: a cell's length ends a piece.
+    constexpr double rounding = 0.01;
+    const double bridged = std::min(PieceError, std::max(way.Length, rounding));
+    this->Begin({ std::max(lowest, first), way.At(from) }, bridged, emit);
     if (first < this->Largest)
     {
       const double to =
@@ -129,8 +132,9 @@ private:
   }
 
   /// Begin a rising way at a point: behind a jump, or going on.
+  /// \param bridged largest gap that is no jump
   template <typename Emit>
-  void Begin(const Point& point, const Emit& emit)
+  void Begin(const Point& point, double bridged, const Emit& emit)
   {
     if (!this->HasStart)
     {
@@ -138,7 +142,7 @@ private:
       this->Places = { point.Distance, point.Distance };
       this->HasStart = true;
     }
-    else if (point.Distance - this->LastDistance > PieceError)
+    else if (point.Distance - this->LastDistance > bridged)
     {
       this->EndAtLast(emit);
       this->Jump(point.Distance, emit);
